@@ -1,0 +1,14 @@
+// rcalc: transforms records of numbers and text by expressions.
+#include "calculator.h"
+#include "common/error.h"
+
+namespace {
+
+int run(int argc, char** argv) {
+    infra::rcalc::Calculator(infra::rcalc::read_command_line(argc, argv)).run();
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return infra::run_program("rcalc", run, argc, argv); }

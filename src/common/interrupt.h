@@ -1,0 +1,26 @@
+// Orderly end on SIGINT and SIGTERM: the first signal asks the program to stop, the second ends it at once.
+#pragma once
+
+namespace infra {
+
+/// Whether a signal has asked the program to stop. Cheap enough to ask for every tile or scanline.
+bool interrupted();
+
+/// throws Error "interrupted" (exit status 3, as RADIANCE's for a signal) once interrupted() is true.
+void throw_if_interrupted();
+
+/// While it lives, SIGINT, SIGTERM and SIGHUP set interrupted(); a second one removes the registered files
+/// and ends the program. Signals that were ignored stay so. One at a time; programs make it in their body.
+class InterruptGuard {
+  public:
+    InterruptGuard();
+    InterruptGuard(const InterruptGuard&) = delete;
+    InterruptGuard& operator=(const InterruptGuard&) = delete;
+    ~InterruptGuard();
+};
+
+/// Registers a file for removal by the second signal, until forgotten. The path is copied. Thread-safe.
+void remove_on_interrupt(const char* path);
+void forget_on_interrupt(const char* path);
+
+}  // namespace infra

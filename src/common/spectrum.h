@@ -1,0 +1,98 @@
+// Radiance, reflectance and the like in N channels, N chosen when a scene is loaded (3 unless the user says
+// otherwise).
+//
+// Channels lie in lanes of four floats that the compiler keeps in vector registers. Unused lanes stay zero,
+// so sums and maxima over whole lanes are right. A Spectrum of three channels costs one register; a wider one
+// costs what it holds.
+#pragma once
+
+#include <array>
+
+namespace infra {
+
+class Spectrum {
+  public:
+    static constexpr int max_channels = 24;
+
+    /// All channels equal to `value`. channels: 1..max_channels.
+    explicit Spectrum(int channels, float value = 0.0f) : channels_(channels), lanes_((channels + 3) / 4) {
+        for (int l = 0; l < lanes_; ++l) data_[l] = Lane{};
+        if (value != 0.0f) fill(value);
+    }
+    Spectrum(const Spectrum& other) { copy(other); }
+    Spectrum& operator=(const Spectrum& other) {
+        copy(other);
+        return *this;
+    }
+
+    int channels() const { return channels_; }
+    float operator[](int c) const { return data_[c / 4][c % 4]; }
+    void set(int c, float value) { data_[c / 4][c % 4] = value; }
+    void fill(float value) {
+        for (int c = 0; c < channels_; ++c) set(c, value);
+    }
+    void clear() {
+        for (int l = 0; l < lanes_; ++l) data_[l] = Lane{};
+    }
+
+    Spectrum& operator+=(const Spectrum& other) {
+        for (int l = 0; l < lanes_; ++l) data_[l] += other.data_[l];
+        return *this;
+    }
+    Spectrum& operator-=(const Spectrum& other) {
+        for (int l = 0; l < lanes_; ++l) data_[l] -= other.data_[l];
+        return *this;
+    }
+    Spectrum& operator*=(const Spectrum& other) {
+        for (int l = 0; l < lanes_; ++l) data_[l] *= other.data_[l];
+        return *this;
+    }
+    Spectrum& operator*=(float factor) {
+        for (int l = 0; l < lanes_; ++l) data_[l] *= factor;
+        return *this;
+    }
+    /// this += other * factor, the inner step of every sum over samples.
+    void add_scaled(const Spectrum& other, float factor) {
+        for (int l = 0; l < lanes_; ++l) data_[l] += other.data_[l] * factor;
+    }
+    /// this += a * b, channel by channel.
+    void add_product(const Spectrum& a, const Spectrum& b) {
+        for (int l = 0; l < lanes_; ++l) data_[l] += a.data_[l] * b.data_[l];
+    }
+
+    /// Largest channel, or 0 if all are negative: a ray's weight.
+    float maximum() const {
+        float largest = 0.0f;
+        for (int c = 0; c < channels_; ++c) largest = (*this)[c] > largest ? (*this)[c] : largest;
+        return largest;
+    }
+    float mean() const {
+        float sum = 0.0f;
+        for (int c = 0; c < channels_; ++c) sum += (*this)[c];
+        return sum / static_cast<float>(channels_);
+    }
+    /// Weight of a radiance in decisions (thresholds, adaptive sampling), never in results: RADIANCE's
+    /// luminance weights for three channels, the mean for any other number.
+    float brightness() const {
+        if (channels_ != 3) return mean();
+        return 0.265074126f * (*this)[0] + 0.670114631f * (*this)[1] + 0.064811243f * (*this)[2];
+    }
+
+  private:
+    typedef float Lane __attribute__((vector_size(16)));
+
+    void copy(const Spectrum& other) {
+        channels_ = other.channels_;
+        lanes_ = other.lanes_;
+        for (int l = 0; l < lanes_; ++l) data_[l] = other.data_[l];
+    }
+
+    std::array<Lane, max_channels / 4> data_;
+    int channels_;
+    int lanes_;
+};
+
+inline Spectrum operator*(Spectrum a, const Spectrum& b) { return a *= b; }
+inline Spectrum operator*(Spectrum a, float factor) { return a *= factor; }
+
+}  // namespace infra

@@ -1,0 +1,149 @@
+// Diffuse interreflection: a hemisphere of rays over every point, stratified in equal projected solid angles. (There is no
+// cache of such values yet: this is RADIANCE with -aa 0.)
+//
+// source: Shirley & Chiu, "A Low Distortion Map Between Disk and Square", JGT 2 (1997); numbers of rays as RADIANCE 6.1.
+#include <cmath>
+#include <numbers>
+
+#include "rt/scratch.h"
+#include "rt/tracer.h"
+
+namespace infra {
+namespace {
+
+constexpr double tiny = 1e-6;
+constexpr int least_cells_for_extra = 49;  // fewer rays say too little of where the differences are
+
+/// Direction of the hemisphere around z for a point of the unit square, with density cos / pi.
+Vec3 cosine_direction(double x, double y) {
+    const double a = 2 * x - 1, b = 2 * y - 1;
+    double radius, angle;
+    if (a == 0 && b == 0) return {0, 0, 1};
+    if (std::fabs(a) > std::fabs(b)) {
+        radius = a;
+        angle = (std::numbers::pi / 4) * (b / a);
+    } else {
+        radius = b;
+        angle = (std::numbers::pi / 2) - (std::numbers::pi / 4) * (a / b);
+    }
+    return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(std::fmax(0.0, 1 - radius * radius))};
+}
+
+/// Where a cell's neighbours differ from it its value is uncertain: squared differences, relative to brightness.
+void estimate_variances(std::vector<HemisphereCell>& cells, int n, double norm) {
+    const auto cell = [&](int i, int j) -> HemisphereCell& { return cells[static_cast<std::size_t>(i * n + j)]; };
+    std::vector<int> neighbours(cells.size(), 0);
+    const auto compare = [&](int i, int j, int k, int l) {
+        HemisphereCell &a = cell(i, j), &b = cell(k, l);
+        const double difference = a.brightness - b.brightness;
+        const double squared = difference * difference * norm / (a.brightness + b.brightness + tiny);
+        a.variance += static_cast<float>(squared);
+        b.variance += static_cast<float>(squared);
+        ++neighbours[static_cast<std::size_t>(i * n + j)];
+        ++neighbours[static_cast<std::size_t>(k * n + l)];
+    };
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            if (i) compare(i, j, i - 1, j);
+            if (j) compare(i, j, i, j - 1);
+            if (i && j) compare(i, j, i - 1, j - 1);
+        }
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        if (neighbours[c]) cells[c].variance *= 6.0f / static_cast<float>(neighbours[c]);
+}
+
+}  // namespace
+
+void Tracer::add_ambient(const Spectrum& coefficient, bool other_side, Interaction& at) {
+    if (coefficient.maximum() <= 0) return;
+    const bool computed = settings_.ambient_divisions > 0 && at.ray->ambient_level < settings_.ambient_bounces &&
+                          (at.surface < 0 || scene_.surface(at.surface).in_ambient);
+    if (computed) {
+        Spectrum sum(at.channels());
+        if (sample_hemisphere(coefficient, other_side, at, sum)) {
+            at.radiance += sum;
+            return;
+        }
+    }
+    Spectrum assumed(at.channels());
+    for (int c = 0; c < at.channels(); ++c) assumed.set(c, settings_.ambient_value[c < 3 ? c : 2]);
+    at.radiance.add_product(assumed, coefficient);
+}
+
+// One ray through the point (x, y) of the square that maps to the hemisphere. False if it was not traced.
+bool Tracer::trace_ambient(const Spectrum& coefficient, bool other_side, double x, double y, Interaction& at,
+                           Spectrum& radiance) {
+    Ray child(at.channels());
+    if (!spawn(child, other_side ? through_ambient : reflected_ambient, at, &coefficient)) return false;
+    ++child.ambient_level;
+    const Vec3 normal = other_side ? -at.normal : at.normal;
+    Vec3 u, v;
+    make_frame(normal, u, v);
+    const Vec3 local = cosine_direction(x, y);
+    child.direction = normalize(u * local.x + v * local.y + normal * local.z);
+    Interaction seen(child);
+    trace(seen);
+    radiance = seen.radiance * child.coefficient;
+    return true;
+}
+
+// Adds up coefficient times the mean radiance of the hemisphere. False if no ray was heavy enough to be traced.
+bool Tracer::sample_hemisphere(const Spectrum& coefficient, bool other_side, Interaction& at, Spectrum& sum) {
+    const double reflectance = coefficient.maximum();
+    if (reflectance <= tiny) return false;
+    // No more rays than leave each of them above -lw
+    const double heaviest =
+        0.8 * reflectance * at.weight / (settings_.ambient_divisions * settings_.min_weight + 1e-20);
+    const double weight = std::fmin(at.weight, heaviest);
+    const int n = std::max(1, static_cast<int>(std::sqrt(settings_.ambient_divisions * weight) + 0.5));
+    const Spectrum share = coefficient * (1.0f / static_cast<float>(n * n));
+    int extra = static_cast<int>(settings_.ambient_super_samples * weight + 0.5);
+    if (extra < 4 * n || n * n <= least_cells_for_extra) extra = 0;
+
+    Spectrum radiance(at.channels());
+    if (!extra) {
+        int traced = 0;
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                const double x = (i + random_.uniform()) / n, y = (j + random_.uniform()) / n;
+                if (!trace_ambient(share, other_side, x, y, at, radiance)) continue;
+                sum += radiance;
+                ++traced;
+            }
+        return traced > 0;
+    }
+
+    const auto level = static_cast<std::size_t>(at.ray->ambient_level);
+    if (scratch_->hemispheres.size() <= level) scratch_->hemispheres.resize(level + 1);
+    std::vector<HemisphereCell> cells = std::move(scratch_->hemispheres[level]);
+    cells.assign(static_cast<std::size_t>(n * n), HemisphereCell{Spectrum(at.channels())});
+    int traced = 0;
+    for (int c = 0; c < n * n; ++c) {
+        HemisphereCell& cell = cells[static_cast<std::size_t>(c)];
+        const double x = (c / n + random_.uniform()) / n, y = (c % n + random_.uniform()) / n;
+        if (!trace_ambient(share, other_side, x, y, at, cell.mean)) continue;
+        cell.brightness = cell.mean.brightness();
+        ++traced;
+    }
+    if (traced == n * n) {
+        estimate_variances(cells, n, 1.0 / (share.brightness() + tiny));
+        double remaining = 0;
+        for (const HemisphereCell& cell : cells) remaining += cell.variance;
+        for (int c = 0; c < n * n && extra > 0 && remaining > tiny; ++c) {
+            HemisphereCell& cell = cells[static_cast<std::size_t>(c)];
+            const int wanted = static_cast<int>(cell.variance / remaining * extra + random_.uniform());
+            remaining -= cell.variance;
+            for (int k = 1; k <= wanted && extra > 0; ++k, --extra) {
+                const double x = (c / n + random_.uniform()) / n, y = (c % n + random_.uniform()) / n;
+                if (!trace_ambient(share, other_side, x, y, at, radiance)) break;
+                cell.mean *= static_cast<float>(k) / static_cast<float>(k + 1);
+                cell.mean.add_scaled(radiance, 1.0f / static_cast<float>(k + 1));
+            }
+        }
+    }
+    for (const HemisphereCell& cell : cells) sum += cell.mean;
+    scratch_->hemispheres[level] = std::move(cells);
+    return traced > 0;
+}
+
+}  // namespace infra

@@ -1,0 +1,80 @@
+// The scene as the tracer sees it: surfaces, modifiers, light sources, function code. Immutable and shared by all threads.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cal/program.h"
+#include "rt/geometry.h"
+#include "rt/modifier.h"
+#include "rt/settings.h"
+#include "rt/sources/light_source.h"
+#include "scene/scene.h"
+
+namespace infra {
+
+struct Surface {
+    PrimitiveId primitive = void_primitive;
+    const Modifier* modifier = nullptr;        ///< first of its chain, nullptr: void
+    const MaterialTraits* material = nullptr;  ///< nullptr: a surface that rays pass
+    int source = -1;                           ///< light source number, -1: none
+    bool in_ambient = true;                    ///< takes part in the diffuse indirect calculation (-ai, -ae)
+};
+
+/// A definition given with -e (text) or -f (file name).
+struct FunctionDefinition {
+    std::string text;
+    bool is_file = false;
+};
+
+class CompiledScene {
+  public:
+    /// Compiles what the surfaces of `scene` use; the scene is kept for names and error places.
+    ///   definitions  added to the function library after lib/rayinit.cal, in order
+    ///   throws       Error for wrong arguments, undefined names, missing files, types whose shading is not built yet
+    static std::shared_ptr<const CompiledScene> compile(Scene scene, const RenderSettings& settings, int channels,
+                                                        const std::vector<FunctionDefinition>& definitions);
+
+    int channels() const { return channels_; }
+    const Scene& text() const { return text_; }
+    const Geometry& geometry() const { return geometry_; }
+    const cal::Program& program() const { return *program_; }
+    const std::vector<Surface>& surfaces() const { return surfaces_; }
+    const Surface& surface(int i) const { return surfaces_[static_cast<std::size_t>(i)]; }
+    const std::vector<LightSource>& sources() const { return sources_; }
+    const LightSource& source(int i) const { return sources_[static_cast<std::size_t>(i)]; }
+    /// Sources at infinity in the order of definition.
+    const std::vector<int>& distant_sources() const { return distant_; }
+    /// Sources that direct light is computed for.
+    const std::vector<int>& sampled_sources() const { return sampled_; }
+
+    /// White Lambertian of reflectance pi, which turns radiance into irradiance (-i, -I).
+    const Modifier& irradiance_material() const { return *irradiance_material_; }
+
+    /// Names for rtrace's -os, -om and -oM; "void" where there is none. surface >= 0.
+    std::string_view surface_name(int surface) const;
+    std::string_view modifier_name(int surface) const;
+    std::string_view material_name(int surface) const;
+
+    /// Complete lines for the user, such as a table whose reflectance is over 1.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
+  private:
+    friend class SceneCompiler;
+    CompiledScene() = default;
+
+    int channels_ = 3;
+    Scene text_;
+    std::vector<std::unique_ptr<Modifier>> modifiers_;
+    std::unique_ptr<Modifier> irradiance_material_;
+    std::vector<Surface> surfaces_;
+    Geometry geometry_;
+    std::vector<LightSource> sources_;
+    std::vector<int> distant_;
+    std::vector<int> sampled_;
+    std::unique_ptr<cal::Program> program_;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace infra

@@ -1,0 +1,212 @@
+#include "rt/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace infra {
+namespace {
+
+Vec3 vec(std::span<const double> numbers, std::size_t first) {
+    return {numbers[first], numbers[first + 1], numbers[first + 2]};
+}
+
+// Box of a disk of this radius.
+Box disk_box(const Vec3& center, const Vec3& axis, double radius) {
+    Box box;
+    const Vec3 reach{radius * std::sqrt(std::max(0.0, 1 - axis.x * axis.x)),
+                     radius * std::sqrt(std::max(0.0, 1 - axis.y * axis.y)),
+                     radius * std::sqrt(std::max(0.0, 1 - axis.z * axis.z))};
+    box.extend(center - reach);
+    box.extend(center + reach);
+    return box;
+}
+
+}  // namespace
+
+void Geometry::note(Kind kind, std::size_t index, int surface) {
+    if (shape_of_.size() <= static_cast<std::size_t>(surface))
+        shape_of_.resize(static_cast<std::size_t>(surface) + 1, no_shape);
+    shape_of_[static_cast<std::size_t>(surface)] = static_cast<ShapeRef>(kind) << 29 | static_cast<ShapeRef>(index);
+}
+
+bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
+    const std::span<const double> numbers = scene.reals(id);
+    switch (const PrimitiveType type = scene.type(id)) {
+        case PrimitiveType::polygon: return add_polygon(numbers, surface);
+        case PrimitiveType::sphere:
+        case PrimitiveType::bubble: {
+            const double radius = std::fabs(numbers[3]);
+            if (radius <= same_place) return false;
+            const bool inward = (type == PrimitiveType::bubble) != (numbers[3] < 0);
+            spheres_.push_back({vec(numbers, 0), radius, surface, inward});
+            note(sphere, spheres_.size() - 1, surface);
+            return true;
+        }
+        case PrimitiveType::cone:
+        case PrimitiveType::cup:
+        case PrimitiveType::cylinder:
+        case PrimitiveType::tube: return add_cone(type, numbers, surface);
+        case PrimitiveType::ring: {
+            const double inner = std::min(numbers[6], numbers[7]), outer = std::max(numbers[6], numbers[7]);
+            const Vec3 axis = vec(numbers, 3);
+            const double size = length(axis);
+            if (!(size > 0) || outer <= same_place) return false;
+            rings_.push_back({vec(numbers, 0), axis / size, std::max(inner, 0.0), outer, surface});
+            note(ring, rings_.size() - 1, surface);
+            return true;
+        }
+        default:
+            throw scene.error(id, std::string("type \"") + std::string(name(type)) + "\" is not supported yet");
+    }
+}
+
+bool Geometry::add_polygon(std::span<const double> vertices, int surface) {
+    std::size_t count = vertices.size() / 3;
+    if (count > 3 && length(vec(vertices, 0) - vec(vertices, 3 * (count - 1))) <= same_place) --count;
+    vertices = vertices.first(3 * count);
+    const PolygonPlane plane = polygon_plane(vertices);
+    if (plane.area == 0) return false;
+    Box box;
+    for (std::size_t i = 0; i < count; ++i) box.extend(vec(vertices, 3 * i));
+    if (count == 3) {
+        triangles_.emplace_back(vec(vertices, 0), vec(vertices, 3), vec(vertices, 6), surface);
+        triangle_boxes_.push_back(box);
+        note(triangle, triangles_.size() - 1, surface);
+        return true;
+    }
+    int axis = std::fabs(plane.normal.y) > std::fabs(plane.normal.x) ? 1 : 0;
+    if (std::fabs(plane.normal.z) > std::fabs(plane.normal[axis])) axis = 2;
+    const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+    auto corners = std::make_unique<double[]>(2 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        corners[2 * i] = vertices[3 * i + static_cast<std::size_t>(x)];
+        corners[2 * i + 1] = vertices[3 * i + static_cast<std::size_t>(y)];
+        // A polygon that is not flat is met in its mean plane, which may stick out of the vertices' box.
+        const Vec3 vertex = vec(vertices, 3 * i);
+        box.extend(vertex + plane.normal * (plane.offset - dot(plane.normal, vertex)));
+    }
+    polygons_.push_back({plane.normal, plane.offset, corners.get(), static_cast<int>(count), surface, x, y});
+    corners_.push_back(std::move(corners));
+    polygon_boxes_.push_back(box);
+    note(polygon, polygons_.size() - 1, surface);
+    return true;
+}
+
+bool Geometry::add_cone(PrimitiveType type, std::span<const double> numbers, int surface) {
+    const Vec3 p0 = vec(numbers, 0), p1 = vec(numbers, 3);
+    const double size = length(p1 - p0);
+    double r0 = numbers[6], r1 = numbers.size() > 7 ? numbers[7] : numbers[6];
+    bool inward = type == PrimitiveType::cup || type == PrimitiveType::tube;
+    if (r0 < -same_place || r1 < -same_place) inward = !inward;
+    r0 = std::fabs(r0);
+    r1 = std::fabs(r1);
+    if (!(size > 0) || std::max(r0, r1) <= same_place) return false;
+    if (std::fabs(r1 - r0) <= same_place) r1 = r0;
+    cones_.push_back({p0, (p1 - p0) / size, size, r0, (r1 - r0) / size, surface, inward});
+    note(cone, cones_.size() - 1, surface);
+    return true;
+}
+
+Box Geometry::bounds(ShapeRef shape) const {
+    const std::size_t i = index(shape);
+    Box box;
+    switch (kind(shape)) {
+        case triangle: return triangle_boxes_[i];
+        case polygon: return polygon_boxes_[i];
+        case sphere:
+            box.extend(spheres_[i].center - Vec3(spheres_[i].radius));
+            box.extend(spheres_[i].center + Vec3(spheres_[i].radius));
+            return box;
+        case cone: {
+            const Cone& c = cones_[i];
+            box = disk_box(c.p0, c.axis, c.r0);
+            box.extend(disk_box(c.p0 + c.axis * c.length, c.axis, c.r0 + c.slope * c.length));
+            return box;
+        }
+        case ring: return disk_box(rings_[i].center, rings_[i].unit_normal, rings_[i].outer);
+    }
+    return box;
+}
+
+void Geometry::build(std::vector<SurfaceRank> ranks, std::vector<char> blocks_light) {
+    ranks_ = std::move(ranks);
+    blocks_light_ = std::move(blocks_light);
+    shape_of_.resize(ranks_.size(), no_shape);
+    std::vector<Box> boxes;
+    std::vector<std::uint32_t> items;
+    for (ShapeRef shape : shape_of_) {
+        if (shape == no_shape) continue;
+        boxes.push_back(bounds(shape));
+        items.push_back(shape);
+    }
+    triangle_boxes_ = {};
+    polygon_boxes_ = {};
+    triangles_.shrink_to_fit();
+    polygons_.shrink_to_fit();
+    bvh_.build(std::move(boxes), std::move(items));
+}
+
+inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const {
+    const std::size_t i = index(shape);
+    switch (kind(shape)) {
+        case triangle: return triangles_[i].intersect(origin, direction, ranks_.data(), shape, state);
+        case polygon: return polygons_[i].intersect(origin, direction, ranks_.data(), shape, state);
+        case sphere: return spheres_[i].intersect(origin, direction, ranks_.data(), shape, state);
+        case cone: return cones_[i].intersect(origin, direction, ranks_.data(), shape, state);
+        case ring: return rings_[i].intersect(origin, direction, ranks_.data(), shape, state);
+    }
+}
+
+void Geometry::intersect(const Vec3& origin, const Vec3& direction, HitState& state) const {
+    bvh_.walk(
+        origin, direction,
+        [&](std::uint32_t shape) {
+            test(shape, origin, direction, state);
+            return false;
+        },
+        [&] { return state.distance + same_place; });
+}
+
+bool Geometry::intersect_one(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const {
+    test(shape, origin, direction, state);
+    return state.surface >= 0;
+}
+
+Geometry::View Geometry::view(const Vec3& origin, const Vec3& direction, double distance) const {
+    View found = View::clear;
+    const double limit = distance - same_place;
+    bvh_.walk(
+        origin, direction,
+        [&](std::uint32_t shape) {
+            HitState state;
+            state.distance = limit;
+            test(shape, origin, direction, state);
+            if (state.surface < 0) return false;
+            found = blocks_light_[static_cast<std::size_t>(state.surface)] ? View::blocked : View::filtered;
+            return found == View::blocked;
+        },
+        [&] { return limit; });
+    return found;
+}
+
+Vec3 Geometry::normal(ShapeRef shape, const Vec3& point) const {
+    const std::size_t i = index(shape);
+    switch (kind(shape)) {
+        case triangle: return triangles_[i].normal;
+        case polygon: return polygons_[i].normal;
+        case sphere: return spheres_[i].normal(point);
+        case cone: return cones_[i].normal(point);
+        case ring: return rings_[i].unit_normal;
+    }
+    return Vec3{0, 0, 1};
+}
+
+std::size_t Geometry::memory_bytes() const {
+    std::size_t corner_bytes = 0;
+    for (const Polygon& p : polygons_) corner_bytes += 2 * sizeof(double) * static_cast<std::size_t>(p.corner_count);
+    return triangles_.size() * sizeof(Triangle) + polygons_.size() * sizeof(Polygon) + corner_bytes +
+           spheres_.size() * sizeof(Sphere) + cones_.size() * sizeof(Cone) + rings_.size() * sizeof(Ring) +
+           shape_of_.size() * sizeof(ShapeRef) + ranks_.size() * sizeof(SurfaceRank) + bvh_.memory_bytes();
+}
+
+}  // namespace infra

@@ -1,0 +1,75 @@
+// All shapes of a scene and the hierarchy over them: what a ray hits, and whether anything lies in its way.
+// Immutable once built.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "rt/bvh.h"
+#include "rt/shapes/cone.h"
+#include "rt/shapes/polygon.h"
+#include "rt/shapes/ring.h"
+#include "rt/shapes/sphere.h"
+#include "scene/scene.h"
+
+namespace infra {
+
+/// Kind (three high bits) and index of a shape among those of its kind.
+using ShapeRef = std::uint32_t;
+
+class Geometry {
+  public:
+    enum Kind : std::uint32_t { triangle, polygon, sphere, cone, ring };
+
+    /// What stands between two points.
+    enum class View { clear, blocked, filtered };
+
+    /// Adds a primitive's shape as surface number `surface`. False for one that no ray can meet (no area, no radius).
+    ///   throws  Error if the primitive's type is no shape known here
+    bool add(const Scene& scene, PrimitiveId id, int surface);
+    /// Builds the hierarchy; to be called once, after the last add().
+    void build(std::vector<SurfaceRank> ranks, std::vector<char> blocks_light);
+
+    /// Nearest hit beyond `same_place` and nearer than state.distance.
+    void intersect(const Vec3& origin, const Vec3& direction, HitState& state) const;
+    /// The same for one surface alone (a light source that is aimed at). False if it is missed.
+    bool intersect_one(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const;
+    /// blocked as soon as anything opaque is found nearer than `distance`; filtered if only other things are.
+    View view(const Vec3& origin, const Vec3& direction, double distance) const;
+
+    /// Unit normal of a shape at a point on it.
+    Vec3 normal(ShapeRef shape, const Vec3& point) const;
+    static bool is_flat(ShapeRef shape) { return kind(shape) == triangle || kind(shape) == polygon || kind(shape) == ring; }
+
+    /// Shape of a surface, no_shape if it has none.
+    static constexpr ShapeRef no_shape = ~0u;
+    ShapeRef shape_of(int surface) const { return shape_of_[static_cast<std::size_t>(surface)]; }
+
+    std::size_t memory_bytes() const;
+
+  private:
+    static Kind kind(ShapeRef shape) { return static_cast<Kind>(shape >> 29); }
+    static std::size_t index(ShapeRef shape) { return shape & 0x1fffffffu; }
+    void test(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const;
+    Box bounds(ShapeRef shape) const;
+    void note(Kind kind, std::size_t index, int surface);
+    bool add_polygon(std::span<const double> vertices, int surface);
+    bool add_cone(PrimitiveType type, std::span<const double> numbers, int surface);
+
+    std::vector<Triangle> triangles_;
+    std::vector<Polygon> polygons_;
+    std::vector<std::unique_ptr<double[]>> corners_;
+    std::vector<Box> polygon_boxes_;    // for building only
+    std::vector<Box> triangle_boxes_;   // for building only
+    std::vector<Sphere> spheres_;
+    std::vector<Cone> cones_;
+    std::vector<Ring> rings_;
+    std::vector<ShapeRef> shape_of_;
+    std::vector<SurfaceRank> ranks_;
+    std::vector<char> blocks_light_;
+    Bvh bvh_;
+};
+
+}  // namespace infra

@@ -1,0 +1,42 @@
+// A rough lobe of a material: what is sampled by rays of its own and evaluated for light sources.
+//
+// A lobe is built for one hit. wi points to where the radiance comes from and leaves the surface; directions are in scene
+// coordinates. The lobe's radiance is coefficient * E[weight * L(wi)] over its samples, so that `coefficient` is its
+// colour times its directional albedo, and the weights average to 1 (or less, where a model loses energy).
+#pragma once
+
+#include <cstdint>
+
+#include "common/random.h"
+#include "common/spectrum.h"
+#include "common/vec.h"
+
+namespace infra {
+
+struct LobeDraw {
+    Vec3 wi{0, 0, 1};
+    double weight = 0;  ///< 0: this sample brings nothing and is not traced
+};
+
+class Lobe {
+  public:
+    Lobe(std::uint16_t ray_kind, const Spectrum& c) : kind(ray_kind), coefficient(c) {}
+
+    std::uint16_t kind;    ///< reflected_lobe or through_lobe
+    Spectrum coefficient;
+
+    /// f |cos| [1/sr] over `coefficient`, for a light source of solid angle omega [sr] around wi; 0 on the wrong side.
+    /// Some models widen the lobe by the source's size, as RADIANCE does; omega = 0 gives the lobe itself.
+    virtual double eval(const Vec3& wi, double omega) const = 0;
+    /// One of `count` samples that together estimate the lobe.
+    virtual LobeDraw sample(RandomStream& random, int count) const = 0;
+    /// Density of sample() at wi [1/sr].
+    virtual double pdf(const Vec3& wi) const = 0;
+    /// Number of samples wanted for a ray of this weight, at least 1.
+    virtual int sample_count(double ray_weight) const = 0;
+
+  protected:
+    ~Lobe() = default;  // lobes live in a Scattering and own nothing
+};
+
+}  // namespace infra

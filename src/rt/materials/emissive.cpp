@@ -1,0 +1,98 @@
+// emissive: a surface that emits and reflects.
+//
+//     mod emissive id
+//     0 | 1 material
+//     0
+//     3 | 4 Lr Lg Lb [maxrad]
+//
+// Radiance leaving is Le, the same in every direction and from both sides, plus what `material` reflects and transmits;
+// `material` is any earlier material or mixture, with patterns of its own, or void for a black emitter. Patterns on `mod`
+// scale Le. maxrad is that of glow: within it the front is sampled as a light source; with 0 (or without it) indirect rays
+// find the surface.
+#include "rt/materials/emissive_material.h"
+
+#include "rt/tracer.h"
+
+namespace infra {
+namespace {
+
+MaterialTraits traits_of(std::string_view name, const Modifier* reflecting) {
+    const Modifier* material = Modifier::material_of(reflecting);
+    MaterialTraits traits{.name = name, .blocks_light = true};
+    if (material) {
+        traits.transparent = material->traits()->transparent;
+        traits.blocks_light = material->traits()->blocks_light;
+    }
+    return traits;
+}
+
+}  // namespace
+
+EmissiveMaterial::EmissiveMaterial(std::string_view name, const Modifier* next, const Spectrum& radiance, double reach,
+                                   const Modifier* reflecting)
+    : Modifier(name, next),
+      Emitter(Kind::glow, radiance),
+      traits_(traits_of(name, reflecting)),
+      reflecting_(reflecting) {
+    reach_ = reach;
+}
+
+EmissiveMaterial::EmissiveMaterial(std::string_view name, const Modifier* next, const Spectrum& radiance, double reach,
+                                   std::unique_ptr<Modifier> reflecting)
+    : EmissiveMaterial(name, next, radiance, reach, reflecting.get()) {
+    owned_ = std::move(reflecting);
+}
+
+bool EmissiveMaterial::counts(const Tracer& tracer, const Interaction& at) const {
+    const Ray& ray = *at.ray;
+    const auto out_of_reach = [&](double distance) { return reach_ >= -same_place && distance > reach_; };
+    // Sampled as a light source already
+    if (ray.is(ambient_rays | lobe_rays) && at.cosine >= 0 && !out_of_reach(at.distance)) return false;
+    return tracer.settings().sources_visible || out_of_reach(ray.path_before + at.distance);
+}
+
+void EmissiveMaterial::add_emission(Tracer& tracer, Interaction& at) const {
+    if (!next()) {
+        at.radiance.add_product(radiance_, at.pattern);
+        return;
+    }
+    const Spectrum before = at.pattern;
+    tracer.apply_patterns(next(), at);
+    at.radiance.add_product(radiance_, at.pattern);
+    at.pattern = before;
+}
+
+bool EmissiveMaterial::shade(Tracer& tracer, Interaction& at) const {
+    const Ray& ray = *at.ray;
+    if (ray.is(shadow_rays)) {
+        const bool aimed = ray.aimed_source >= 0 && tracer.scene().source(ray.aimed_source).surface == at.surface;
+        if (!aimed) return !reflecting_ || tracer.shade_chain(reflecting_, at);
+        if (at.cosine >= 0) add_emission(tracer, at);
+        return true;
+    }
+    if (at.cosine < 0 && !tracer.settings().back_faces_visible) {
+        tracer.pass_through(at);
+        return true;
+    }
+    Spectrum emitted(at.channels());
+    if (counts(tracer, at)) {
+        add_emission(tracer, at);
+        emitted = at.radiance;
+        at.radiance.clear();
+    }
+    if (reflecting_) tracer.shade_chain(reflecting_, at);
+    at.radiance += emitted;
+    return true;
+}
+
+std::unique_ptr<Modifier> make_emissive(ModifierContext& context) {
+    const auto numbers = context.reals();
+    const auto strings = context.strings();
+    const Modifier* reflecting = strings.empty() ? nullptr : context.modifier_named(strings[0]);
+    if (reflecting && !Modifier::material_of(reflecting))
+        throw context.error("\"" + std::string(strings[0]) + "\" is not a material", "name a material, or void");
+    return std::make_unique<EmissiveMaterial>(context.name(), context.next, context.color(0),
+                                              numbers.size() > 3 ? numbers[3] : 0.0, reflecting);
+}
+
+}  // namespace infra

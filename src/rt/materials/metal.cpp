@@ -1,0 +1,22 @@
+// metal: as plastic, but the reflection takes the colour of the metal.
+//
+//     mod metal id
+//     0
+//     0
+//     5 red green blue specularity roughness
+//
+// source: RADIANCE reference manual, "Materials"; doc/materials.
+#include "rt/materials/ward_material.h"
+#include "rt/modifier_table.h"
+
+namespace infra {
+
+std::unique_ptr<Modifier> make_metal(ModifierContext& context) {
+    WardParameters p{context.color(0)};
+    p.specularity = context.reals()[3];
+    p.roughness = context.reals()[4];
+    p.metallic = true;
+    return std::make_unique<WardMaterial>(context.name(), context.next, p, false);
+}
+
+}  // namespace infra

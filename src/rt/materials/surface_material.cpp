@@ -1,0 +1,22 @@
+#include "rt/materials/surface_material.h"
+
+#include "rt/tracer.h"
+
+namespace infra {
+
+bool SurfaceMaterial::shade(Tracer& tracer, Interaction& at) const {
+    const bool shadow = at.ray->is(shadow_rays);
+    if (shadow && traits_.blocks_light) return true;
+    if (at.cosine < 0 && !tracer.settings().back_faces_visible) {
+        tracer.pass_through(at);
+        return true;
+    }
+    tracer.apply_patterns(next(), at);
+    if (at.cosine < 0) at.flip();
+    Scattering scattering(at.channels());
+    scatter(at, tracer.is_flat(at), tracer.settings(), shadow, scattering);
+    tracer.transport(scattering, at);
+    return true;
+}
+
+}  // namespace infra

@@ -1,0 +1,28 @@
+// Base of every material that reflects or transmits: it answers scatter(), the tracer does the rest.
+#pragma once
+
+#include "rt/materials/scattering.h"
+#include "rt/modifier.h"
+#include "rt/ray.h"
+#include "rt/settings.h"
+
+namespace infra {
+
+class SurfaceMaterial : public Modifier {
+  public:
+    SurfaceMaterial(std::string_view name, const Modifier* next, bool transparent)
+        : Modifier(name, next), traits_{name, transparent, !transparent, false} {}
+
+    /// Fills `out` for the hit `at`: its normal faces the viewer and its patterns have been applied.
+    /// shadow: only what a shadow ray passes through is wanted.
+    virtual void scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings, bool shadow,
+                         Scattering& out) const = 0;
+
+    bool shade(Tracer& tracer, Interaction& at) const final;
+    const MaterialTraits* traits() const final { return &traits_; }
+
+  private:
+    MaterialTraits traits_;
+};
+
+}  // namespace infra

@@ -1,0 +1,46 @@
+#include "rt/mixtures/mixture.h"
+
+#include "rt/tracer.h"
+
+namespace infra {
+namespace {
+
+constexpr double negligible = 1e-6;  // a share below it is not traced
+
+bool shade_part(Tracer& tracer, Interaction& part, const Modifier* chain, double share) {
+    if (share <= negligible) return false;
+    part.weight *= share;
+    return tracer.shade_chain(chain, part);
+}
+
+void mix(Spectrum& result, const Spectrum& a, double share, const Spectrum& b) {
+    result = a * static_cast<float>(share);
+    result.add_scaled(b, static_cast<float>(1.0 - share));
+}
+
+}  // namespace
+
+bool shade_mixture(Tracer& tracer, Interaction& at, const Modifier* foreground, const Modifier* background,
+                   double share) {
+    Interaction fore = at, back = at;
+    const bool fore_material = shade_part(tracer, fore, foreground, share);
+    const bool back_material = shade_part(tracer, back, background, 1.0 - share);
+    if (back_material && !fore_material && share > negligible) tracer.pass_through(fore);
+    if (fore_material && !back_material && 1.0 - share > negligible) tracer.pass_through(back);
+
+    mix(at.pattern, fore.pattern, share, back.pattern);
+    if (!fore_material && !back_material) return false;
+
+    mix(at.radiance, fore.radiance, share, back.radiance);
+    mix(at.mirrored, fore.mirrored, share, back.mirrored);
+    const double fore_mirrored = share * fore.mirrored.brightness();
+    const double back_mirrored = (1.0 - share) * back.mirrored.brightness();
+    at.mirrored_distance = fore_mirrored > back_mirrored ? fore.mirrored_distance : back.mirrored_distance;
+    at.direct_distance = share * fore.radiance.brightness() - fore_mirrored >
+                                 (1.0 - share) * back.radiance.brightness() - back_mirrored
+                             ? fore.direct_distance
+                             : back.direct_distance;
+    return true;
+}
+
+}  // namespace infra

@@ -1,0 +1,69 @@
+// The one list of modifiers that can be rendered: a row a type. What a type's arguments are stands in
+// scene/primitive_types; a type without a row is refused by name when a renderer loads it.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cal/library.h"
+#include "common/spectrum.h"
+#include "rt/modifier.h"
+#include "rt/settings.h"
+#include "scene/scene.h"
+
+namespace infra {
+
+struct TableCache;
+
+/// What a factory may ask while it makes a modifier.
+class ModifierContext {
+  public:
+    const Scene& scene;
+    PrimitiveId id;               ///< whose arguments to read; their number has been checked
+    const Modifier* next;         ///< what modifies it
+    int channels;
+    const RenderSettings& settings;
+    cal::Library& functions;
+    TableCache& tables;
+    const std::vector<const Modifier*>& made;  ///< by primitive, as far as they are used
+    std::vector<std::string>& warnings;
+
+    std::string_view name() const { return scene.name(id); }
+    std::span<const double> reals() const { return scene.reals(id); }
+    std::span<const std::string_view> strings() const { return scene.strings(id); }
+    /// Red, green and blue arguments from `first` on, as a spectrum.
+    Spectrum color(std::size_t first) const;
+    /// The modifier that a string argument names: nullptr for void.
+    const Modifier* modifier_named(std::string_view name) const;
+    Error error(std::string_view message, std::string_view hint = {}) const { return scene.error(id, message, hint); }
+};
+
+struct ModifierRow {
+    PrimitiveType type;
+    std::unique_ptr<Modifier> (*make)(ModifierContext&);
+};
+
+std::span<const ModifierRow> modifier_table();
+const ModifierRow* find_modifier_row(PrimitiveType type);
+
+/// Names of modifiers in a primitive's string arguments (mixtures, alias, illum, emissive).
+std::vector<std::string_view> referenced_modifiers(const Scene& scene, PrimitiveId id);
+
+// One factory a file below.
+std::unique_ptr<Modifier> make_plastic(ModifierContext&);
+std::unique_ptr<Modifier> make_metal(ModifierContext&);
+std::unique_ptr<Modifier> make_trans(ModifierContext&);
+std::unique_ptr<Modifier> make_light(ModifierContext&);
+std::unique_ptr<Modifier> make_glow(ModifierContext&);
+std::unique_ptr<Modifier> make_illum(ModifierContext&);
+std::unique_ptr<Modifier> make_spotlight(ModifierContext&);
+std::unique_ptr<Modifier> make_emissive(ModifierContext&);
+std::unique_ptr<Modifier> make_nrlbrdf(ModifierContext&);
+std::unique_ptr<Modifier> make_brightfunc(ModifierContext&);
+std::unique_ptr<Modifier> make_colorfunc(ModifierContext&);
+std::unique_ptr<Modifier> make_mixfunc(ModifierContext&);
+
+}  // namespace infra

@@ -1,0 +1,70 @@
+#include "rt/programs/program_setup.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "common/error.h"
+#include "common/format.h"
+#include "common/version.h"
+#include "scene/octree_file.h"
+
+namespace infra {
+namespace {
+
+constexpr int rgb_channels = 3;
+
+}  // namespace
+
+LoadedScene load_scene(const std::string& octree, const RenderOptions& options, const WarningSink& warn) {
+    OctreeFile file = load_octree(octree, warn);
+    LoadedScene loaded;
+    loaded.header = std::move(file.header);
+    loaded.scene =
+        CompiledScene::compile(std::move(file.scene), options.settings, rgb_channels, options.definitions);
+    for (const std::string& warning : loaded.scene->warnings()) warn(warning);
+    return loaded;
+}
+
+std::vector<std::string> header_lines(const std::vector<std::string>& octree_header,
+                                      const std::string& command_line) {
+    std::vector<std::string> lines;
+    for (const std::string& line : octree_header)
+        if (!line.starts_with("#?")) lines.push_back(line);
+    lines.push_back(command_line);
+    lines.push_back(std::string("SOFTWARE= ") + version_string());
+    return lines;
+}
+
+void redirect_messages(const std::string& path, const std::string& command_line) {
+    if (path.empty()) return;
+    // Opened first by itself, so that a failure can still be reported.
+    std::FILE* const test = std::fopen(path.c_str(), "a");
+    if (!test || !std::freopen(path.c_str(), "a", stderr))
+        throw Error("cannot open error file \"" + path + "\": " + std::strerror(errno), {}, Severity::system);
+    std::fclose(test);
+    std::fprintf(stderr, "**************\n*** %s\n", command_line.c_str());
+    std::fflush(stderr);
+}
+
+WarningSink warning_sink(const std::string& program, const RenderOptions& options) {
+    return options.warnings ? print_warnings(program) : no_warnings();
+}
+
+void TracerFaults::add(Tracer& tracer) {
+    bad_values += tracer.bad_values();
+    const std::uint64_t faults = tracer.evaluator().fault_count();
+    function_faults += faults;
+    if (faults > 0) last_function_fault = tracer.evaluator().last_fault();
+}
+
+void TracerFaults::report(const WarningSink& warn) const {
+    if (bad_values > 0)
+        warn(formatted("%llu radiances were not finite and count as 0",
+                       static_cast<unsigned long long>(bad_values)));
+    if (function_faults > 0)
+        warn(formatted("%llu function values were undefined and count as 0, the last: %s",
+                       static_cast<unsigned long long>(function_faults), last_function_fault.c_str()));
+}
+
+}  // namespace infra

@@ -1,0 +1,197 @@
+#include "rt/programs/render_options.h"
+
+#include "common/format.h"
+#include "common/raypath.h"
+#include "common/text_file.h"
+
+namespace infra {
+namespace {
+
+std::function<std::string()> fixed(std::string text) {
+    return [text = std::move(text)] { return text; };
+}
+
+/// An option that is taken and has no effect: -help says why, -defaults keeps RADIANCE's words.
+void has_no_effect(OptionRow& row, const std::string& why) {
+    row.remark(fixed(row.help));
+    row.help += " (no effect: " + why + ")";
+}
+
+constexpr const char* no_cache = "every hemisphere is computed, as with -aa 0";
+
+void add_names(NameFilter& filter, NameFilter::Mode mode, const std::vector<std::string>& names) {
+    if (filter.mode != mode) filter = {mode, {}};
+    filter.names.insert(filter.names.end(), names.begin(), names.end());
+}
+
+void add_direct_rows(OptionTable& table, RenderOptions& options) {
+    RenderSettings& settings = options.settings;
+    table.real("-dt", &settings.shadow_threshold, "direct threshold");
+    table.real("-dc", &settings.shadow_certainty, "direct certainty");
+    table.real("-dj", &settings.source_jitter, "direct jitter");
+    table.real("-ds", &settings.source_size_ratio, "direct sampling");
+    const std::string no_relays = "scenes with mirror or prism are refused so far";
+    has_no_effect(table.integer("-dr", &options.direct_relays, "direct relays"), no_relays);
+    has_no_effect(table.integer("-dp", &options.direct_pretest, "direct pretest density"), no_relays);
+    table.toggle("-dv", &settings.sources_visible, "direct visibility");
+}
+
+void add_ambient_rows(OptionTable& table, RenderOptions& options) {
+    RenderSettings& settings = options.settings;
+    table
+        .custom(
+            "-av", "fff",
+            [&settings](const OptionValues& given) {
+                for (int c = 0; c < 3; ++c) settings.ambient_value[c] = static_cast<float>(given.real(c));
+            },
+            "ambient value")
+        .named("red green blue")
+        .shown([&settings] {
+            const auto& value = settings.ambient_value;
+            return formatted("-av %f %f %f", double(value[0]), double(value[1]), double(value[2]));
+        });
+    has_no_effect(table.integer("-aw", &options.ambient_value_weight, "ambient value weight"), no_cache);
+    table.integer("-ab", &settings.ambient_bounces, "ambient bounces");
+    has_no_effect(table.real("-aa", &options.ambient_accuracy, "ambient accuracy"), no_cache);
+    has_no_effect(table.integer("-ar", &options.ambient_resolution, "ambient resolution"), no_cache);
+    table.integer("-ad", &settings.ambient_divisions, "ambient divisions");
+    table.integer("-as", &settings.ambient_super_samples, "ambient super-samples");
+    add_name_filter(table, "-a", settings.ambient_filter, "in indirect light");
+}
+
+void add_mist_rows(OptionTable& table) {
+    const std::string reason = "participating media are not built yet, only 0 is taken";
+    add_zero_option(table, "-me", "fff", "-me 0.00e+00 0.00e+00 0.00e+00", "mist extinction coefficient",
+                    reason);
+    add_zero_option(table, "-ma", "fff", "-ma 0.000000 0.000000 0.000000", "mist scattering albedo", reason);
+    add_zero_option(table, "-mg", "f", "-mg 0.000000", "mist scattering eccentricity", reason);
+    add_zero_option(table, "-ms", "f", "-ms 0.000000", "mist sampling distance", reason);
+}
+
+void add_limit_rows(OptionTable& table, RenderSettings& settings) {
+    table.integer("-lr", &settings.max_reflections, "limit reflection").remark([&settings] {
+        return std::string("limit reflection") + (settings.max_reflections <= 0 ? " (Russian roulette)" : "");
+    });
+    table.real("-lw", &settings.min_weight, "limit weight", true);
+}
+
+/// -e and -f as far as both programs know them: definitions of the functions that scenes use, and the error
+/// file.
+void add_definition_rows(OptionTable& table, RenderOptions& options) {
+    table
+        .custom(
+            "-e", "s",
+            [&options](const OptionValues& given) {
+                const std::string& text = given.text(0);
+                if (text.find_first_of("=:") == std::string::npos)
+                    options.error_file = text;
+                else
+                    options.definitions.push_back({text, false});
+            },
+            "definitions for function files, or a file for messages")
+        .named("text|file");
+    table
+        .custom(
+            "-f", "s",
+            [&options](const OptionValues& given) {
+                options.definitions.push_back({given.text(0), true});
+            },
+            "file of definitions")
+        .named("file.cal");
+}
+
+void add_refused_rows(OptionTable& table) {
+    const std::string photons = "photon maps are not built yet";
+    const std::string spectra = "only three channels are built yet";
+    const std::string persistence = "persistent processes are not built yet";
+    table.unsupported("-ap", "s", photons);
+    table.unsupported("-am", "f", photons);
+    table.unsupported("-af", "s", "there is no cache of indirect light to keep in a file yet");
+    table.custom(
+        "-cs", "i",
+        [spectra](const OptionValues& given) {
+            if (given.integer(0) != 3) given.reject("number of channels is not supported", spectra);
+        },
+        "number of channels, 3");
+    table.unsupported("-cw", "ff", spectra);
+    table.unsupported("-P", "s", persistence);
+    table.unsupported("-PP", "s", persistence);
+    table.unsupported("-features", "", "-help lists what there is");
+}
+
+}  // namespace
+
+RenderOptions rpict_defaults() { return {}; }
+
+RenderOptions rtrace_defaults() {
+    RenderOptions options;
+    RenderSettings& settings = options.settings;
+    settings.shadow_threshold = 0.03;
+    settings.shadow_certainty = 0.75;
+    settings.source_size_ratio = 0.2;
+    settings.ambient_divisions = 1024;
+    settings.ambient_super_samples = 512;
+    settings.max_reflections = -10;
+    options.uncorrelated = true;
+    options.direct_relays = 2;
+    options.ambient_accuracy = 0.1;
+    options.ambient_resolution = 256;
+    return options;
+}
+
+void add_warning_option(OptionTable& table, RenderOptions& options) {
+    table.toggle("-w", &options.warnings, "warning messages");
+}
+
+void add_render_options(OptionTable& table, RenderOptions& options) {
+    RenderSettings& settings = options.settings;
+    table.toggle("-i", &settings.irradiance, "irradiance calculation");
+    table
+        .toggle("-u", &options.uncorrelated, "uncorrelated Monte Carlo sampling",
+                "correlated quasi-Monte Carlo sampling")
+        .help += " (no effect: samples are stratified, and independent from ray to ray)";
+    table.toggle("-bv", &settings.back_faces_visible, "back face visibility");
+    add_direct_rows(table, options);
+    table.real("-ss", &settings.specular_samples, "specular sampling");
+    table.real("-st", &settings.specular_threshold, "specular threshold");
+    add_ambient_rows(table, options);
+    add_mist_rows(table);
+    add_limit_rows(table, settings);
+    add_definition_rows(table, options);
+    add_refused_rows(table);
+}
+
+void add_name_filter(OptionTable& table, const std::string& prefix, NameFilter& filter,
+                     const std::string& what) {
+    const auto add_pair = [&](NameFilter::Mode mode, const char* letters, const std::string& verb) {
+        table
+            .custom(
+                prefix + letters[0], "s",
+                [&filter, mode](const OptionValues& given) { add_names(filter, mode, {given.text(0)}); },
+                verb + " this modifier " + what)
+            .named("name");
+        table
+            .custom(
+                prefix + letters[1], "s",
+                [&filter, mode](const OptionValues& given) {
+                    const std::string path = require_library_file(given.text(0), "list of modifiers");
+                    add_names(filter, mode, split_words(read_text_file(path)));
+                },
+                verb + " the modifiers in this file " + what)
+            .named("file");
+    };
+    add_pair(NameFilter::Mode::include, "iI", "only");
+    add_pair(NameFilter::Mode::exclude, "eE", "without");
+}
+
+OptionRow& add_zero_option(OptionTable& table, std::string spelling, std::string pattern, std::string shown,
+                           std::string help, std::string reason) {
+    const auto refuse_others = [reason = std::move(reason)](const OptionValues& given) {
+        for (std::size_t i = 0; i < given.values.size(); ++i)
+            if (given.real(i) != 0) given.reject("value is not supported", reason);
+    };
+    return table.custom(std::move(spelling), std::move(pattern), refuse_others, std::move(help))
+        .shown(fixed(std::move(shown)));
+}
+
+}  // namespace infra

@@ -1,0 +1,50 @@
+// The options that rpict and rtrace share: what light transport is computed, and how finely.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/options.h"
+#include "rt/compiled_scene.h"
+#include "rt/settings.h"
+
+namespace infra {
+
+struct RenderOptions {
+    RenderSettings settings;
+    std::vector<FunctionDefinition> definitions;  ///< -e, -f, in order
+    std::string error_file;                       ///< -e without a definition: stderr goes there
+    bool warnings = true;                         ///< -w
+
+    // Accepted so that RADIANCE's option files work. They steer the indirect cache, the virtual sources and
+    // the choice of random sequence, none of which exists here: every hemisphere is computed, as with -aa 0.
+    bool uncorrelated = false;      ///< -u
+    int ambient_value_weight = 0;   ///< -aw
+    double ambient_accuracy = 0.2;  ///< -aa
+    int ambient_resolution = 64;    ///< -ar
+    int direct_relays = 1;          ///< -dr
+    int direct_pretest = 512;       ///< -dp
+};
+
+/// What the programs start from.
+RenderOptions rpict_defaults();
+RenderOptions rtrace_defaults();
+
+/// Adds -w; rpict and rtrace list it in different places.
+void add_warning_option(OptionTable& table, RenderOptions& options);
+
+/// Adds the shared rows in the order of RADIANCE's -defaults. `options` must outlive the table.
+void add_render_options(OptionTable& table, RenderOptions& options);
+
+/// Adds <prefix>i, <prefix>I, <prefix>e and <prefix>E: names, or files of names found through RAYPATH, to
+/// include or to exclude. The last kind given wins. `filter` must outlive the table.
+///   what   of which modifiers, "in indirect light"
+void add_name_filter(OptionTable& table, const std::string& prefix, NameFilter& filter,
+                     const std::string& what);
+
+/// Adds an option of numbers that RADIANCE has and that is built here for zeros alone; others are refused.
+///   shown  as -defaults lists it
+OptionRow& add_zero_option(OptionTable& table, std::string spelling, std::string pattern, std::string shown,
+                           std::string help, std::string reason);
+
+}  // namespace infra

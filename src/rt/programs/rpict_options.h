@@ -1,0 +1,29 @@
+// Everything that rpict's command line says.
+#pragma once
+
+#include <string>
+
+#include "common/view.h"
+#include "rt/programs/render_options.h"
+
+namespace infra {
+
+struct RpictOptions {
+    RenderOptions render = rpict_defaults();
+    View view;
+    int width = 512;                ///< -x: pixels at most; one of the two shrinks to fit the view
+    int height = 512;               ///< -y
+    double pixel_aspect = 1;        ///< -pa: height over width of a pixel, 0: whatever fits
+    double pixel_jitter = 0.67;     ///< -pj: share of a pixel over which its sample is spread
+    int sample_spacing = 4;         ///< -ps: pixels between samples where nothing changes
+    double sample_contrast = 0.05;  ///< -pt: relative difference that asks for samples in between
+    int report_seconds = 0;         ///< -t
+    int threads = 0;                ///< -n: 0 means all cores
+    std::string output;             ///< -o: empty means the standard output
+    std::string depth_output;       ///< -z
+};
+
+/// rpict's option table, in the order of RADIANCE's -defaults. `options` must outlive it.
+OptionTable rpict_option_table(RpictOptions& options);
+
+}  // namespace infra

@@ -1,0 +1,63 @@
+#include "rt/programs/value_writer.h"
+
+#include <cstdio>
+
+#include "common/rgbe.h"
+
+namespace infra {
+namespace {
+
+template <class Number>
+void append_raw(std::string& out, Number value) {
+    out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+}  // namespace
+
+const char* format_name(NumberFormat format) {
+    switch (format) {
+        case NumberFormat::text:
+            return "ascii";
+        case NumberFormat::floats:
+            return "float";
+        case NumberFormat::doubles:
+            return "double";
+        case NumberFormat::color:
+            return "32-bit_rle_rgbe";
+    }
+    return "unknown";
+}
+
+void ValueWriter::real(double value) {
+    if (format_ == NumberFormat::floats) {
+        append_raw(out_, static_cast<float>(value));
+    } else if (format_ == NumberFormat::doubles) {
+        append_raw(out_, value);
+    } else {
+        char text[32];
+        out_.append(text, static_cast<std::size_t>(std::snprintf(text, sizeof text, "%e\t", value)));
+    }
+}
+
+void ValueWriter::vector(const Vec3& value) {
+    real(value.x);
+    real(value.y);
+    real(value.z);
+}
+
+void ValueWriter::spectrum(const Spectrum& value) {
+    if (format_ == NumberFormat::color) {
+        const Rgbe pixel = to_rgbe(value[0], value[1], value[2]);
+        out_.append(pixel.begin(), pixel.end());
+        return;
+    }
+    for (int c = 0; c < value.channels(); ++c) real(double(value[c]));
+}
+
+void ValueWriter::name(std::string_view value) { out_.append(value).push_back('\t'); }
+
+void ValueWriter::end_of_ray() {
+    if (format_ == NumberFormat::text) out_.push_back('\n');
+}
+
+}  // namespace infra

@@ -1,0 +1,105 @@
+// A ray and the place where it ends.
+//
+// Directions have unit length, distances are in scene units. A Ray is what goes out; an Interaction is what it meets and
+// the radiance that comes back. Both live on the stack of the worker that traces them.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "common/spectrum.h"
+#include "common/vec.h"
+
+namespace infra {
+
+/// Nearer than this is "the same place" (RADIANCE's figure): hits below it are the ray's own surface.
+inline constexpr double same_place = 1e-6;
+/// Distance of what is not there, as rtrace prints it.
+inline constexpr double infinite_distance = 1e10;
+
+/// How a ray came about; a ray's lineage is the union of its kind and those of all rays before it.
+enum RayKind : std::uint16_t {
+    primary_ray = 1,
+    reflected_shadow = 2,
+    mirrored_ray = 4,
+    through_ray = 8,          ///< straight on, or transmitted without scatter
+    reflected_ambient = 16,
+    reflected_lobe = 32,
+    through_shadow = 64,
+    through_ambient = 128,
+    through_lobe = 256,
+
+    shadow_rays = reflected_shadow | through_shadow,
+    ambient_rays = reflected_ambient | through_ambient,
+    lobe_rays = reflected_lobe | through_lobe,
+    /// Kinds that count as a reflection towards -lr and turn back into the room they came from.
+    turning_rays = reflected_shadow | mirrored_ray | reflected_ambient | reflected_lobe,
+};
+
+struct Interaction;
+
+struct Ray {
+    Vec3 origin{0};
+    Vec3 direction{0, 0, 1};
+    double max_distance = 0;        ///< nothing beyond is seen; 0: no limit
+    double path_before = 0;         ///< length of the path from the eye to the origin
+    double shadow_before = 0;       ///< length of the shadow rays before this one
+    const Interaction* parent = nullptr;
+    double weight = 1;              ///< share of the primary ray's value that this one can still change
+    Spectrum coefficient;           ///< of this ray's radiance in its parent's
+    int level = 0;                  ///< reflections so far
+    int depth = 0;                  ///< rays before this one, of any kind
+    int ambient_level = 0;          ///< diffuse bounces so far
+    int aimed_source = -1;          ///< the light source that a shadow ray goes to
+    std::uint16_t kind = primary_ray;
+    std::uint16_t lineage = primary_ray;
+
+    explicit Ray(int channels) : coefficient(channels, 1.0f) {}
+    bool is(std::uint16_t kinds) const { return (lineage & kinds) != 0; }
+};
+
+struct Interaction {
+    const Ray* ray;
+    double weight;                  ///< the ray's, less within mixtures
+
+    // Where: set by the intersection, the point is the ray's origin where nothing near was hit
+    double distance = infinite_distance;
+    Vec3 point;
+    Vec3 normal;                    ///< of the surface, turned to the ray once a material has seen its back
+    double cosine = 1;              ///< of ray and normal, negative from behind
+    int surface = -1;               ///< index among the scene's surfaces, -1: nothing
+    bool flipped = false;
+    bool discounted = false;        ///< a light source met by a ray that must not count it
+
+    // What: set while shading
+    Spectrum pattern;               ///< product of the patterns met so far
+    Spectrum radiance;              ///< towards the ray's origin
+    Spectrum mirrored;              ///< the part of it that is a mirror image
+    double mirrored_distance = infinite_distance;
+    double direct_distance = infinite_distance;  ///< optical length of the rest
+
+    explicit Interaction(const Ray& r)
+        : ray(&r),
+          weight(r.weight),
+          point(r.origin),
+          normal(-r.direction),
+          pattern(r.coefficient.channels(), 1.0f),
+          radiance(r.coefficient.channels()),
+          mirrored(r.coefficient.channels()) {}
+
+    bool hit() const { return surface >= 0; }
+    int channels() const { return radiance.channels(); }
+
+    /// Distance to what is mainly seen: through mirrors when those dominate.
+    double apparent_distance() const {
+        return mirrored.brightness() > 0.5f * radiance.brightness() ? mirrored_distance : direct_distance;
+    }
+
+    void flip() {
+        normal = -normal;
+        cosine = -cosine;
+        flipped = !flipped;
+    }
+};
+
+}  // namespace infra

@@ -1,0 +1,80 @@
+// Flat polygons: triangles in a form of their own, because meshes are made of them; all others by a crossing test in the
+// plane of two axes, which copes with concave outlines and with holes cut by seams.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rt/shapes/hit_state.h"
+
+namespace infra {
+
+/// Plane of a polygon.
+struct PolygonPlane {
+    Vec3 normal{0};      ///< unit; counter-clockwise vertices face the viewer
+    double offset = 0;   ///< of the plane along the normal, the mean over all vertices
+    double area = 0;     ///< 0: a polygon that no ray can meet
+};
+
+/// Averages a polygon that is not quite flat. vertices: three numbers each, the last may repeat the first.
+PolygonPlane polygon_plane(std::span<const double> vertices);
+
+/// source: Baldwin & Weber, "Fast Ray-Triangle Intersections by Coordinate Transformation", JCGT 5 (2016).
+struct Triangle {
+    Vec3 normal;          ///< unit
+    double offset;
+    Vec3 u_axis, v_axis;  ///< barycentric u = dot(point, u_axis) + u0
+    double u0, v0;
+    int surface;
+
+    Triangle(const Vec3& a, const Vec3& b, const Vec3& c, int surface_index);
+
+    void intersect(const Vec3& origin, const Vec3& direction, const SurfaceRank* ranks, std::uint32_t shape,
+                   HitState& state) const {
+        const double cosine = -dot(direction, normal);
+        if (std::fabs(cosine) <= same_place) return;
+        const double t = (dot(origin, normal) - offset) / cosine;
+        if (t <= same_place || t > state.distance + same_place) return;
+        constexpr double slack = 1e-9;  // closes the seam between neighbours against rounding
+        const Vec3 point = origin + direction * t;
+        const double u = dot(point, u_axis) + u0;
+        if (u < -slack || u > 1.0 + slack) return;
+        const double v = dot(point, v_axis) + v0;
+        if (v < -slack || u + v > 1.0 + slack) return;
+        offer_hit(state, ranks, t, cosine > 0, surface, shape);
+    }
+};
+
+struct Polygon {
+    Vec3 normal;  ///< unit
+    double offset;
+    const double* corners;  ///< two coordinates for each vertex, in the plane of the axes x_axis and y_axis
+    int corner_count;
+    int surface;
+    int x_axis, y_axis;
+
+    void intersect(const Vec3& origin, const Vec3& direction, const SurfaceRank* ranks, std::uint32_t shape,
+                   HitState& state) const {
+        const double cosine = -dot(direction, normal);
+        if (std::fabs(cosine) <= same_place) return;
+        const double t = (dot(origin, normal) - offset) / cosine;
+        if (t <= same_place || t > state.distance + same_place) return;
+        if (contains(origin[x_axis] + direction[x_axis] * t, origin[y_axis] + direction[y_axis] * t))
+            offer_hit(state, ranks, t, cosine > 0, surface, shape);
+    }
+
+    /// Even-odd rule over the outline.
+    bool contains(double x, double y) const {
+        bool inside = false;
+        const double* previous = corners + 2 * (corner_count - 1);
+        for (const double* corner = corners; corner != corners + 2 * corner_count; previous = corner, corner += 2) {
+            if ((corner[1] > y) == (previous[1] > y)) continue;
+            const double crossing =
+                (previous[0] - corner[0]) * (y - corner[1]) / (previous[1] - corner[1]) + corner[0];
+            if (x < crossing) inside = !inside;
+        }
+        return inside;
+    }
+};
+
+}  // namespace infra

@@ -1,0 +1,266 @@
+#include "rt/tracer.h"
+
+#include <cmath>
+
+#include "rt/materials/scattering.h"
+#include "rt/scratch.h"
+
+namespace infra {
+namespace {
+
+constexpr double tiny = 1e-6;
+constexpr double distant = infinite_distance * 0.99;
+/// Rays in a row, of any kind, before a path is given up: a guard for the stack, far beyond what -lr and -lw leave.
+constexpr int deepest = 1000;
+
+}  // namespace
+
+Tracer::Tracer(const CompiledScene& scene, const RenderSettings& settings, std::uint64_t seed)
+    : scene_(scene),
+      settings_(settings),
+      seed_(seed),
+      random_(seed, 0),
+      evaluator_(scene.program()),
+      scratch_(std::make_unique<Scratch>()) {}
+
+Tracer::~Tracer() = default;
+
+Ray Tracer::primary(const Vec3& origin, const Vec3& direction, double max_distance) const {
+    Ray ray(scene_.channels());
+    ray.origin = origin;
+    ray.direction = direction;
+    ray.max_distance = max_distance;
+    return ray;
+}
+
+// The path of a ray -----------------------------------------------------------------------------------------------------
+
+void Tracer::trace(Interaction& at) {
+    if (intersect(at)) {
+        shade(at);
+    } else if (at.ray->max_distance <= tiny && meet_distant_source(at)) {
+        shade_chain(scene_.surface(at.surface).modifier, at);
+    }
+    if (!std::isfinite(at.radiance.mean())) {
+        ++bad_values_;
+        at.radiance.clear();
+        at.mirrored.clear();
+    }
+    if (observer_) observer_->observe(at);
+}
+
+void Tracer::cast(Interaction& at) {
+    if (!intersect(at) && at.ray->max_distance <= tiny) meet_distant_source(at);
+}
+
+void Tracer::irradiance(Interaction& at) {
+    constexpr double above = 1e-5;  // where the imagined surface lies, as in RADIANCE
+    at.distance = at.direct_distance = above;
+    at.point = at.ray->origin + at.ray->direction * above;
+    at.normal = -at.ray->direction;
+    at.cosine = 1;
+    scene_.irradiance_material().shade(*this, at);
+}
+
+bool Tracer::intersect(Interaction& at) {
+    ++ray_count_;
+    HitState state;
+    if (at.ray->max_distance > tiny) state.distance = at.ray->max_distance;
+    scene_.geometry().intersect(at.ray->origin, at.ray->direction, state);
+    if (state.surface < 0) return false;
+    complete_hit(state, at);
+    return true;
+}
+
+void Tracer::complete_hit(const HitState& state, Interaction& at) const {
+    at.distance = state.distance;
+    at.surface = state.surface;
+    at.point = at.ray->origin + at.ray->direction * state.distance;
+    at.normal = scene_.geometry().normal(state.shape, at.point);
+    at.cosine = -dot(at.ray->direction, at.normal);
+}
+
+bool Tracer::meet_distant_source(Interaction& at) const {
+    const Ray& ray = *at.ray;
+    const auto covers = [&](const LightSource& source) {
+        return 2 * 3.14159265358979323846 * (1.0 - dot(source.center, ray.direction)) <= source.size;
+    };
+    if (ray.aimed_source >= 0) {
+        const LightSource& aimed = scene_.source(ray.aimed_source);
+        if (aimed.extent != LightSource::Extent::distant || !covers(aimed)) return false;
+        at.surface = aimed.surface;
+        return true;
+    }
+    // Small bright sources win over wide glows; an illum that nothing stands behind is the last choice but one.
+    int glow = -1;
+    bool see_through = false;
+    for (const int i : scene_.distant_sources()) {
+        const LightSource& source = scene_.source(i);
+        if (!covers(source)) continue;
+        if (source.skip) {
+            if (glow < 0) glow = source.surface;
+        } else if (source.passes_unseen) {
+            see_through = true;
+        } else {
+            at.surface = source.surface;
+            return true;
+        }
+    }
+    if (see_through && ray.is(ambient_rays | lobe_rays)) return false;
+    at.surface = glow;
+    return glow >= 0;
+}
+
+void Tracer::shade(Interaction& at) {
+    if (!shade_chain(scene_.surface(at.surface).modifier, at)) pass_through(at);
+}
+
+bool Tracer::shade_chain(const Modifier* chain, Interaction& at) {
+    at.direct_distance = at.distance;
+    const bool irradiance_here =
+        settings_.irradiance && !(at.ray->lineage & ~(primary_ray | through_ray));
+    for (; chain; chain = chain->next()) {
+        const MaterialTraits* material = irradiance_here ? chain->traits() : nullptr;
+        if (material && !material->is_light && !material->is_mixture) {
+            if (material->transparent) {
+                pass_through(at);
+            } else {
+                at.pattern.fill(1.0f);
+                scene_.irradiance_material().shade(*this, at);
+            }
+            return true;
+        }
+        if (chain->shade(*this, at)) return true;
+    }
+    return false;
+}
+
+void Tracer::apply_patterns(const Modifier* chain, Interaction& at) {
+    for (; chain; chain = chain->next()) chain->shade(*this, at);
+}
+
+void Tracer::pass_through(Interaction& at) {
+    Ray child(at.channels());
+    spawn(child, through_ray, at, nullptr);  // goes on whatever its weight
+    if (at.distance >= distant || child.depth > deepest) return;
+    child.direction = at.ray->direction;
+    Interaction beyond(child);
+    trace(beyond);
+    at.radiance = beyond.radiance;
+    at.mirrored = beyond.mirrored;
+    at.mirrored_distance = at.distance + beyond.mirrored_distance;
+    at.direct_distance = at.distance + beyond.direct_distance;
+}
+
+bool Tracer::is_flat(const Interaction& at) const {
+    if (at.surface < 0) return false;
+    const ShapeRef shape = scene_.geometry().shape_of(at.surface);
+    return shape != Geometry::no_shape && Geometry::is_flat(shape);
+}
+
+// From what a material scatters to child rays -----------------------------------------------------------------------------
+
+void Tracer::transport(const Scattering& scattering, Interaction& at) {
+    if (scattering.has_through) trace_through(scattering, at);
+    if (at.ray->is(shadow_rays)) return;
+    if (scattering.has_mirror) trace_mirror(scattering, at);
+    if (scattering.pure_specular) return;
+    for (int i = 0; i < scattering.lobe_count; ++i)
+        if (scattering.lobe_sampled[i]) trace_lobe(*scattering.lobes[i], at);
+    add_ambient(scattering.ambient, false, at);
+    add_ambient(scattering.ambient_through, true, at);
+    add_direct(scattering, at);
+}
+
+void Tracer::trace_through(const Scattering& scattering, Interaction& at) {
+    Ray child(at.channels());
+    if (!spawn(child, through_ray, at, &scattering.through_coefficient)) return;
+    child.direction = scattering.through_direction;
+    Interaction beyond(child);
+    trace(beyond);
+    at.radiance.add_product(beyond.radiance, child.coefficient);
+    if (scattering.through_fraction >= 1.0 - tiny) {  // as clear as air: what lies behind is what is seen
+        at.mirrored = beyond.mirrored * child.coefficient;
+        at.mirrored_distance = at.distance + beyond.mirrored_distance;
+        at.direct_distance = at.distance + beyond.direct_distance;
+    } else if (scattering.through_fraction > scattering.through_rest) {
+        at.direct_distance = at.distance + beyond.apparent_distance();
+    }
+}
+
+void Tracer::trace_mirror(const Scattering& scattering, Interaction& at) {
+    Ray child(at.channels());
+    if (!spawn(child, mirrored_ray, at, &scattering.mirror_coefficient)) return;
+    child.direction = normalize(scattering.mirror_direction);
+    Interaction image(child);
+    trace(image);
+    at.mirrored = image.radiance * child.coefficient;
+    at.radiance += at.mirrored;
+    at.mirrored_distance = at.distance;
+    if (scattering.flat_mirror && at.ray->is(ambient_rays)) at.mirrored_distance += image.apparent_distance();
+}
+
+void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
+    Ray child(at.channels());
+    if (!spawn(child, lobe.kind, at, &lobe.coefficient)) return;
+    int count = lobe.sample_count(at.weight);
+    if (settings_.min_weight > 0 && child.weight <= settings_.min_weight * count)
+        count = static_cast<int>(child.weight / settings_.min_weight);
+    if (count > 1) {
+        child.coefficient *= 1.0f / static_cast<float>(count);
+        child.weight /= count;
+    } else {
+        count = 1;
+    }
+    for (int i = 0; i < count; ++i) {
+        const LobeDraw draw = lobe.sample(random_, count);
+        if (draw.weight <= 0) continue;
+        child.direction = draw.wi;
+        Interaction seen(child);
+        trace(seen);
+        seen.radiance *= static_cast<float>(draw.weight);
+        at.radiance.add_product(seen.radiance, child.coefficient);
+    }
+}
+
+bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, const Spectrum* coefficient) {
+    if (from.distance >= distant) return false;
+    const Ray& parent = *from.ray;
+    double share = 1.0;
+    if (coefficient) {
+        child.coefficient = *coefficient;
+        share = std::fmin(coefficient->maximum(), 1.0);  // weights never grow
+    }
+    child.parent = &from;
+    child.origin = from.point;
+    child.kind = kind;
+    child.lineage = parent.lineage | kind;
+    child.level = parent.level;
+    child.depth = parent.depth + 1;
+    child.ambient_level = parent.ambient_level;
+    child.aimed_source = parent.aimed_source;
+    child.path_before = parent.path_before + from.distance;
+    child.shadow_before = parent.is(shadow_rays) ? parent.shadow_before + from.distance : 0.0;
+    if (kind & turning_rays) {
+        ++child.level;
+        child.aimed_source = -1;
+        child.max_distance = 0;
+    } else {
+        child.max_distance = parent.max_distance > tiny ? parent.max_distance - from.distance : 0.0;
+    }
+    child.weight = from.weight * share;
+    if (child.weight <= 0 || child.depth > deepest) return false;
+    if (child.lineage & shadow_rays) return true;
+
+    if (settings_.max_reflections <= 0 && coefficient) {  // Russian roulette
+        if (settings_.max_reflections < 0 && child.level > -settings_.max_reflections) return false;
+        if (child.weight >= settings_.min_weight) return true;
+        if (random_.uniform() > child.weight / settings_.min_weight) return false;
+        child.coefficient *= static_cast<float>(settings_.min_weight / child.weight);
+        child.weight = settings_.min_weight;
+        return true;
+    }
+    return child.weight >= settings_.min_weight && child.level <= std::abs(settings_.max_reflections);
+}
+
+}  // namespace infra

@@ -1,0 +1,118 @@
+// Follows rays through a compiled scene: one Tracer per thread.
+//
+//     Tracer tracer(*scene, settings);
+//     tracer.start_stream(pixel);                        // the random numbers of this ray and all its descendants
+//     Ray ray = tracer.primary(origin, direction, 0);
+//     Interaction at(ray);
+//     tracer.trace(at);                                  // at.radiance, at.apparent_distance(), ...
+//
+// The path of a ray reads top to bottom in tracer.cpp: trace -> shade -> transport -> child rays.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "cal/evaluator.h"
+#include "common/random.h"
+#include "rt/compiled_scene.h"
+#include "rt/ray.h"
+#include "rt/settings.h"
+
+namespace infra {
+
+class Scattering;
+
+/// Sees every ray once its radiance is known (rtrace -ot and -oT). The parents of `at` are alive and can be followed.
+class RayObserver {
+  public:
+    virtual ~RayObserver() = default;
+    virtual void observe(const Interaction& at) = 0;
+};
+
+class Tracer {
+  public:
+    Tracer(const CompiledScene& scene, const RenderSettings& settings, std::uint64_t seed = 0);
+    ~Tracer();
+
+    /// Begins the random stream of a primary ray.
+    void start_stream(std::uint64_t index) { random_ = RandomStream(seed_, index); }
+    RandomStream& random() { return random_; }
+
+    /// direction must have unit length; max_distance 0: no limit.
+    Ray primary(const Vec3& origin, const Vec3& direction, double max_distance) const;
+
+    /// Radiance along at.ray: finds what it meets, and shades it.
+    void trace(Interaction& at);
+    /// Only finds what the ray meets.
+    void cast(Interaction& at);
+    /// Irradiance [W m^-2] of a surface at the ray's origin that faces back along the ray (rtrace -I).
+    void irradiance(Interaction& at);
+
+    /// Rays traced so far: primary, secondary and shadow rays.
+    std::uint64_t ray_count() const { return ray_count_; }
+    /// observe_shadows: also rays towards light sources that nothing blocks.
+    void set_observer(RayObserver* observer, bool observe_shadows) {
+        observer_ = observer;
+        observe_shadows_ = observe_shadows;
+    }
+    /// Radiances that were not finite, replaced by 0 when they were met.
+    std::uint64_t bad_values() const { return bad_values_; }
+
+    // For modifiers ------------------------------------------------------------------------------------------------
+
+    const CompiledScene& scene() const { return scene_; }
+    const RenderSettings& settings() const { return settings_; }
+
+    /// Runs a chain of modifiers up to its material. False if there is none.
+    bool shade_chain(const Modifier* chain, Interaction& at);
+    /// Runs the patterns of a chain. A material among them is an error that compilation has excluded.
+    void apply_patterns(const Modifier* chain, Interaction& at);
+    /// Continues the ray behind `at` as if nothing were there.
+    void pass_through(Interaction& at);
+    /// Turns what a material scatters into rays and adds their radiance. at.normal faces the viewer.
+    void transport(const Scattering& scattering, Interaction& at);
+    /// Value of a function expression for this hit; see rt/functions.h.
+    cal::Evaluator& evaluator() { return evaluator_; }
+    bool is_flat(const Interaction& at) const;
+
+  private:
+    struct Contribution;
+    struct Scratch;
+
+    bool spawn(Ray& child, std::uint16_t kind, const Interaction& from, const Spectrum* coefficient);
+    bool intersect(Interaction& at);
+    bool meet_distant_source(Interaction& at) const;
+    void complete_hit(const HitState& state, Interaction& at) const;
+    void shade(Interaction& at);
+
+    void trace_mirror(const Scattering& scattering, Interaction& at);
+    void trace_through(const Scattering& scattering, Interaction& at);
+    void trace_lobe(const class Lobe& lobe, Interaction& at);
+
+    // ambient/hemisphere.cpp
+    void add_ambient(const Spectrum& coefficient, bool other_side, Interaction& at);
+    bool sample_hemisphere(const Spectrum& coefficient, bool other_side, Interaction& at, Spectrum& sum);
+    bool trace_ambient(const Spectrum& coefficient, bool other_side, double x, double y, Interaction& at,
+                       Spectrum& radiance);
+
+    // sources/direct.cpp
+    void add_direct(const Scattering& scattering, Interaction& at);
+    void consider_source(int source, const Scattering& scattering, const Interaction& at);
+    void add_sample(int source, const Scattering& scattering, const Interaction& at, const Vec3& offset, double share);
+    bool source_value(Contribution& contribution, const Interaction& at);
+    bool test_shadow(Contribution& contribution, const Interaction& at);
+
+    const CompiledScene& scene_;
+    const RenderSettings& settings_;
+    std::uint64_t seed_;
+    RandomStream random_;
+    cal::Evaluator evaluator_;
+    RayObserver* observer_ = nullptr;
+    bool observe_shadows_ = false;
+    std::uint64_t ray_count_ = 0;
+    std::uint64_t bad_values_ = 0;
+
+    std::unique_ptr<Scratch> scratch_;  // arrays that keep their memory from ray to ray
+};
+
+}  // namespace infra

@@ -1,0 +1,162 @@
+// getinfo: prints, changes or removes the information header of a picture, octree or mesh.
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "common/error.h"
+#include "common/format.h"
+#include "scene/info_header.h"
+#include "scene/octree_format.h"
+
+namespace infra {
+namespace {
+
+/// -d and +d: the dimensions instead of the header, or after it.
+enum class Dimensions { none, only, too };
+
+InfoHeader header_of_stdin() {
+    const auto header = read_info_header(stdin);
+    if (!header) throw Error(Location{"standard input"}, "bad header", "is it a picture, octree or mesh?");
+    return *header;
+}
+
+std::string dimensions_of(std::FILE* file) { return read_dimensions(file).value_or("unknown file type"); }
+
+void print_line(const std::string& line) { std::printf("%s\n", line.c_str()); }
+
+/// The format stands last, as it tells how to read what follows.
+void end_header(const std::string& format) {
+    if (!format.empty()) std::printf("%.*s%s\n", int(format_key.size()), format_key.data(), format.c_str());
+    std::putchar('\n');
+}
+
+void copy_data() {
+    char buffer[8192];
+    for (std::size_t n = std::fread(buffer, 1, sizeof buffer, stdin); n > 0;
+         n = std::fread(buffer, 1, sizeof buffer, stdin))
+        std::fwrite(buffer, 1, n, stdout);
+}
+
+/// -a: the header with more lines.
+void append_lines(const std::vector<std::string>& added) {
+    const InfoHeader header = header_of_stdin();
+    for (const std::string& line : header.lines)
+        if (!is_format_line(line)) print_line(line);
+    for (const std::string& line : added)
+        if (!line.empty()) std::printf("%s%s", line.c_str(), line.back() == '\n' ? "" : "\n");
+    end_header(header.format());
+    copy_data();
+}
+
+/// -r: the header with settings replaced, or taken out where only a name is given.
+void replace_lines(const std::vector<std::string>& settings) {
+    const InfoHeader header = header_of_stdin();
+    for (const std::string& line : header.lines) {
+        bool replaced = is_format_line(line);
+        for (const std::string& setting : settings) replaced = replaced || sets_the_same(line, setting);
+        if (!replaced) print_line(line);
+    }
+    for (std::string setting : settings) {
+        const std::size_t begin = setting.find_first_not_of(" \t\n");
+        if (begin == std::string::npos) continue;
+        setting.erase(setting.find_last_not_of(" \t\n") + 1);
+        const std::size_t value = setting.find_first_of("= \t", begin + 1);
+        if (value != std::string::npos && value + 1 < setting.size()) print_line(setting);
+    }
+    end_header(header.format());
+    copy_data();
+}
+
+/// -c: the header with the command added; the command gets the data. Reads stdin byte by byte up to there,
+/// for the rest is the command's.
+int run_on_data(char** command, const std::vector<std::string>& words, Dimensions dimensions) {
+    std::setvbuf(stdin, nullptr, _IONBF, 0);
+    const InfoHeader header = header_of_stdin();
+    for (const std::string& line : header.lines)
+        if (!is_format_line(line)) print_line(line);
+    print_line(join_command(words));
+    end_header(header.format());
+    if (dimensions != Dimensions::none) {
+        const auto resolution = read_dimensions(stdin);
+        if (!resolution) throw Error(Location{"standard input"}, "no resolution string");
+        if (dimensions == Dimensions::too) print_line(*resolution);
+    }
+    std::fflush(stdout);
+    execvp(command[0], command);
+    throw Error(std::string("cannot run ") + command[0] + ": " + std::strerror(errno));
+}
+
+/// Prints one file under its name; false if it cannot be opened.
+bool print_file(const std::string& path, Dimensions dimensions) {
+    std::FILE* const file = std::fopen(path.c_str(), "rb");
+    if (file == nullptr) {
+        std::fprintf(stderr, "getinfo: %s: cannot open: %s\n", path.c_str(), std::strerror(errno));
+        return false;
+    }
+    const auto header = read_info_header(file);
+    if (!header) {
+        std::fclose(file);
+        throw Error(Location{path}, "bad header", "is it a picture, octree or mesh?");
+    }
+    if (dimensions == Dimensions::only) {
+        std::printf("%s: %s\n", path.c_str(), dimensions_of(file).c_str());
+    } else {
+        std::printf("%s:\n\t", path.c_str());
+        for (const std::string& line : header->lines) std::printf("%s\n\t", line.c_str());
+        std::putchar('\n');
+        if (dimensions == Dimensions::too) std::printf("\t%s\n", dimensions_of(file).c_str());
+    }
+    std::fclose(file);
+    return true;
+}
+
+void print_stdin(Dimensions dimensions) {
+    const InfoHeader header = header_of_stdin();
+    if (dimensions != Dimensions::only) {
+        for (const std::string& line : header.lines) print_line(line);
+        std::putchar('\n');
+    }
+    if (dimensions != Dimensions::none) print_line(dimensions_of(stdin));
+}
+
+int getinfo(int argc, char** argv) {
+    const std::string first = argc > 1 ? argv[1] : "";
+    Dimensions dimensions = Dimensions::none;
+    if (first == "-d" || first == "+d") {
+        dimensions = first == "-d" ? Dimensions::only : Dimensions::too;
+        ++argv;
+        --argc;
+    }
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());
+    if (words.empty()) {
+        print_stdin(dimensions);
+    } else if (words[0] == "-" && words.size() == 1) {
+        header_of_stdin();
+        if (dimensions == Dimensions::only && !read_dimensions(stdin))
+            throw Error(Location{"standard input"}, "no resolution string");
+        copy_data();
+    } else if (words[0] == "-c" && !rest.empty()) {
+        return run_on_data(argv + 2, rest, dimensions);
+    } else if (words[0] == "-a" && !rest.empty()) {
+        append_lines(rest);
+    } else if (words[0] == "-r" && !rest.empty()) {
+        replace_lines(rest);
+    } else if (words[0].size() > 1 && words[0][0] == '-') {
+        throw Error(
+            "command line error at '" + words[0] + "'",
+            "the forms are: [-d|+d] [file ..], [-d] -, -a line .., -r line .., [-d|+d] -c command ..");
+    } else {
+        bool all = true;
+        for (const std::string& path : words) all = print_file(path, dimensions) && all;
+        return all ? 0 : 1;
+    }
+    return 0;
+}
+
+}  // namespace
+}  // namespace infra
+
+int main(int argc, char** argv) { return infra::run_program("getinfo", infra::getinfo, argc, argv); }

@@ -1,0 +1,61 @@
+// The octree of .oct files: cells that are empty, hold a set of primitives, or have 8 children.
+// Our ray tracer builds its own hierarchy; this one is for RADIANCE's programs and for `oconv -i`.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/vec.h"
+#include "scene/scene.h"
+
+namespace infra {
+
+/// Axis-parallel cube, scene units. Size 0: nothing in it.
+struct Cube {
+    Vec3 origin{0, 0, 0};
+    double size = 0;
+
+    /// Eighth number `branch`: bit 0 set is the upper half in x, bit 1 in y, bit 2 in z.
+    Cube octant(int branch) const {
+        const double half = 0.5 * size;
+        return {origin + half * Vec3(branch & 1, branch >> 1 & 1, branch >> 2 & 1), half};
+    }
+    Vec3 center() const { return origin + Vec3(0.5 * size); }
+};
+
+/// A cell: empty_node, a leaf's set, or an inner cell.
+using OctreeNode = std::int32_t;
+inline constexpr OctreeNode empty_node = -1;
+
+class Octree {
+  public:
+    /// Largest set of a leaf that RADIANCE's programs read.
+    static constexpr std::size_t largest_set = 511;
+
+    OctreeNode root = empty_node;
+
+    static bool is_inner(OctreeNode node) { return node >= 0; }
+    static bool is_leaf(OctreeNode node) { return node < empty_node; }
+
+    OctreeNode child(OctreeNode inner, int branch) const {
+        return children_[8 * std::size_t(inner) + branch];
+    }
+    /// Inner cell with these 8 children; if all are the same leaf or empty, that one instead.
+    OctreeNode add_inner(std::span<const OctreeNode, 8> children);
+    /// Leaf for an ascending set of primitives. Equal sets make the same node; the empty one is empty_node.
+    OctreeNode add_leaf(std::span<const PrimitiveId> set);
+    /// Valid until the next add_leaf().
+    std::span<const PrimitiveId> set(OctreeNode leaf) const;
+
+  private:
+    void grow_table();
+    std::size_t slot_of(std::span<const PrimitiveId> set) const;
+
+    std::vector<OctreeNode> children_;         // 8 by 8
+    std::vector<PrimitiveId> members_;         // of all sets, one after another
+    std::vector<std::uint32_t> set_begin_{0};  // set i is members_[set_begin_[i] .. set_begin_[i + 1])
+    std::vector<std::int32_t> table_;          // open-addressed hash of contents -> set, -1 where free
+};
+
+}  // namespace infra

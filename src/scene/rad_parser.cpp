@@ -1,0 +1,179 @@
+#include "scene/rad_parser.h"
+
+#include "common/parse_number.h"
+
+namespace infra {
+namespace {
+
+/// Counts beyond these are taken for slips. An octree file keeps string counts in two bytes.
+constexpr int most_strings = 32767;
+constexpr int most_reals = 1 << 24;
+
+bool is_space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+bool is_quote(int c) { return c == '"' || c == '\''; }
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t shown = 60;
+    std::string result = "\"";
+    for (const char c : text.substr(0, shown)) result += static_cast<unsigned char>(c) < ' ' ? '?' : c;
+    if (text.size() > shown) result += "...";
+    return result + "\"";
+}
+
+}  // namespace
+
+std::string ParsedPrimitive::description() const {
+    return std::string(infra::name(type)) + " \"" + name + "\"";
+}
+
+void RadParser::fail(std::string_view message, std::string_view hint) const {
+    throw Error({source_.name(), word_line_, 0}, message, hint);
+}
+
+RadParser::Item RadParser::next() {
+    while (is_space(source_.peek())) source_.get();
+    if (source_.peek() == TextSource::end) return Item::end;
+    line_ = source_.line();
+    if (source_.peek() == '#') {
+        read_comment();
+        return Item::comment;
+    }
+    if (source_.peek() == '!') {
+        read_command();
+        return Item::command;
+    }
+    read_primitive();
+    return Item::primitive;
+}
+
+void RadParser::read_comment() {
+    text_.clear();
+    for (int c = source_.peek(); c != TextSource::end && c != '\n'; c = source_.peek())
+        text_ += static_cast<char>(source_.get());
+}
+
+/// To the end of the line; a backslash before the line end continues it, and the shell takes both out.
+void RadParser::read_command() {
+    text_.clear();
+    for (int c = source_.get(); c != TextSource::end; c = source_.get()) {
+        if (c == '\r' && source_.peek() == '\n') continue;
+        if (c == '\n' && text_.back() != '\\') break;
+        text_ += static_cast<char>(c);
+    }
+}
+
+/// Blank-separated; quotes keep blanks and may open in the middle of a word, as in a shell.
+bool RadParser::read_word(std::string& word) {
+    while (is_space(source_.peek())) source_.get();
+    word_line_ = source_.line();
+    word.clear();
+    int quote = 0;
+    bool any = false;
+    for (int c = source_.peek(); c != TextSource::end; c = source_.peek()) {
+        if (quote == 0 && is_space(c)) break;
+        source_.get();
+        any = true;
+        if (c == quote) {
+            quote = 0;
+        } else if (quote == 0 && is_quote(c)) {
+            quote = c;
+        } else {
+            if (c == 0) fail("a zero byte: this is not a text file");
+            word += static_cast<char>(c);
+            if (word.size() > longest_word)
+                fail("a word of more than " + std::to_string(longest_word) + " characters, " + quoted(word),
+                     quote ? "is its quote closed?" : "");
+        }
+    }
+    if (quote != 0) fail(std::string("the quote opened by ") + static_cast<char>(quote) + " is never closed");
+    return any;
+}
+
+void RadParser::require_word(std::string& word, std::string_view what) {
+    if (read_word(word)) return;
+    word_line_ = line_;
+    fail("the file ends before the " + std::string(what));
+}
+
+void RadParser::refuse_tab(const std::string& word, const char* what) const {
+    if (word.find('\t') != std::string::npos) fail(std::string("a tab in the ") + what + " " + quoted(word));
+}
+
+void RadParser::read_primitive() {
+    ParsedPrimitive& p = primitive_;
+    previous_ = p.name.empty() ? "" : p.description();
+    p.strings.clear();
+    p.reals.clear();
+    require_word(p.modifier, "modifier");
+    refuse_tab(p.modifier, "modifier");
+    require_word(word_, "type of a primitive whose modifier is " + quoted(p.modifier));
+    const auto type = find_primitive_type(word_);
+    if (!type) {
+        const std::string near = nearest_primitive_type(word_);
+        std::string hint;
+        if (!near.empty()) {
+            hint = "did you mean " + near + "?";
+        } else if (!previous_.empty()) {
+            hint = "has " + previous_ + " before it the right number of arguments?";
+        }
+        fail("unknown type " + quoted(word_), hint);
+    }
+    p.type = *type;
+    require_word(p.name, "identifier of a " + std::string(infra::name(p.type)));
+    refuse_tab(p.name, "identifier");
+    if (info(p.type).is_modifier() && (p.name == "void" || p.name == "inherit"))
+        fail(quoted(p.name) + " cannot be the identifier of a modifier");
+    if (p.type == PrimitiveType::alias) {
+        require_word(word_, "target of " + p.description());
+        p.strings.push_back(word_);
+    } else {
+        read_arguments();
+    }
+}
+
+int RadParser::read_count(const char* sort) {
+    require_word(word_, std::string("number of ") + sort + " arguments of " + primitive_.description());
+    int count = 0;
+    if (!parse_int(word_, count))
+        fail(quoted(word_) + " where the number of " + sort + " arguments of " + primitive_.description() +
+             " should stand");
+    if (count < 0)
+        fail("a negative number of " + std::string(sort) + " arguments, " + word_ + ", for " +
+             primitive_.description());
+    return count;
+}
+
+void RadParser::read_arguments() {
+    const auto check_limit = [&](int count, int limit, const char* sort) {
+        if (count > limit)
+            fail(word_ + " " + sort + " arguments for " + primitive_.description() +
+                 ", more than the limit of " + std::to_string(limit));
+    };
+    const auto argument = [&](int i, int count, const char* sort) {
+        if (read_word(word_)) return;
+        word_line_ = line_;
+        fail("the file ends inside " + primitive_.description() + ": " + std::to_string(count) + " " + sort +
+             " arguments announced, " + std::to_string(i) + " found");
+    };
+    const int string_count = read_count("string");
+    check_limit(string_count, most_strings, "string");
+    for (int i = 0; i < string_count; ++i) {
+        argument(i, string_count, "string");
+        primitive_.strings.push_back(word_);
+    }
+    if (read_count("integer") != 0)
+        fail(word_ + " integer arguments for " + primitive_.description(),
+             "no type has any: the count before the real arguments is 0");
+    const int real_count = read_count("real");
+    check_limit(real_count, most_reals, "real");
+    for (int i = 0; i < real_count; ++i) {
+        argument(i, real_count, "real");
+        double value = 0;
+        if (!parse_real(word_, value))
+            fail(quoted(word_) + " is not a number (real argument " + std::to_string(i + 1) + " of " +
+                 std::to_string(real_count) + " of " + primitive_.description() + ")");
+        primitive_.reals.push_back(value);
+    }
+}
+
+}  // namespace infra

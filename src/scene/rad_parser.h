@@ -1,0 +1,69 @@
+// The grammar of .rad text: comments, !commands and primitives, before any name means something.
+// xform works on this level; rad_reader.h resolves the names.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/error.h"
+#include "scene/primitive_types.h"
+#include "scene/text_source.h"
+
+namespace infra {
+
+/// Longest word RADIANCE's programs read, in characters.
+inline constexpr std::size_t longest_word = 511;
+
+/// One primitive as written.
+struct ParsedPrimitive {
+    std::string modifier;
+    PrimitiveType type = PrimitiveType::polygon;
+    std::string name;
+    std::vector<std::string> strings;  ///< of an alias: the name of its target
+    std::vector<double> reals;
+
+    /// "polygon "north"", for messages.
+    std::string description() const;
+};
+
+class RadParser {
+  public:
+    enum class Item { end, comment, command, primitive };
+
+    explicit RadParser(TextSource source) : source_(std::move(source)) {}
+
+    /// Reads the next item; text() or primitive() hold it.
+    ///   throws  Error with file and line for anything malformed
+    Item next();
+
+    /// A comment from its '#' to the end of the line, or a command from its '!' with escaped line ends kept.
+    const std::string& text() const { return text_; }
+    const ParsedPrimitive& primitive() const { return primitive_; }
+    /// Place of the current item.
+    Location location() const { return {source_.name(), line_, 0}; }
+    /// Description of the primitive before the current one, "" at the first: miscounted arguments show up as
+    /// nonsense in the primitive that follows them.
+    const std::string& previous() const { return previous_; }
+
+  private:
+    void read_comment();
+    void read_command();
+    void read_primitive();
+    void read_arguments();
+    bool read_word(std::string& word);
+    void require_word(std::string& word, std::string_view what);
+    int read_count(const char* sort);
+    void refuse_tab(const std::string& word, const char* what) const;
+    [[noreturn]] void fail(std::string_view message, std::string_view hint = {}) const;
+
+    TextSource source_;
+    ParsedPrimitive primitive_;
+    std::string text_;
+    std::string word_;
+    int line_ = 0;       // of the current item
+    int word_line_ = 0;  // of the current word
+    std::string previous_;
+};
+
+}  // namespace infra

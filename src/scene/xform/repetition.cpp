@@ -1,0 +1,112 @@
+#include "scene/xform/repetition.h"
+
+#include <algorithm>
+
+#include "common/error.h"
+#include "common/parse_number.h"
+#include "common/text_file.h"
+
+namespace infra::xform {
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// Words of one line of a -f file: quotes hold blanks together, a backslash takes the next character as it
+/// is.
+Words line_words(std::string_view line) {
+    Words words;
+    for (std::size_t i = 0; i < line.size();) {
+        if (is_space(line[i]) || line.substr(i, 2) == "\\\n") {
+            i += is_space(line[i]) ? 1 : 2;
+            continue;
+        }
+        const char quote = line[i] == '"' || line[i] == '\'' ? line[i++] : '\0';
+        std::string word;
+        while (i < line.size() && (quote ? line[i] != quote : !is_space(line[i]))) {
+            if (line[i] == '\\' && i + 1 < line.size()) ++i;
+            word += line[i++];
+        }
+        i += quote != '\0';
+        words.push_back(std::move(word));
+    }
+    return words;
+}
+
+/// Lines of a text; a backslash before a line end joins two.
+Words joined_lines(std::string_view text) {
+    Words lines;
+    std::string line;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '\n' || (!line.empty() && line.back() == '\\')) {
+            line += text[i];
+            continue;
+        }
+        lines.push_back(std::move(line));
+        line.clear();
+    }
+    if (!line.empty()) lines.push_back(std::move(line));
+    return lines;
+}
+
+/// Position of the word after `option`, or 0 if it is not there.
+std::size_t value_of(const Words& words, const std::string& option) {
+    const auto found = std::find(words.begin() + 1, words.end(), option);
+    if (found == words.end()) return 0;
+    return std::size_t(found - words.begin()) + 1;
+}
+
+/// Gives the command line the name -n "old.number", or -n "letter number" if it has none.
+Words named(Words words, char letter, int number) {
+    const std::size_t name = value_of(words, "-n");
+    if (name > 0 && name < words.size()) {
+        words[name] += "." + std::to_string(number);
+    } else {
+        words.insert(words.begin() + 1, {"-n", letter + std::to_string(number)});
+    }
+    return words;
+}
+
+void for_each_line(const Words& words, std::size_t file, const RepetitionSink& sink) {
+    if (file >= words.size() || (words[file][0] == '-' && words[file] != "-"))
+        throw Error("command line error at '-f'", "a file name, or - for the standard input, must follow");
+    int number = 0;
+    for (const std::string& line : joined_lines(read_text_file(words[file]))) {
+        if (line.empty() || line[0] == '#') {
+            sink.remark(line);
+            continue;
+        }
+        std::string_view rest = line;
+        if (rest.starts_with('!')) rest.remove_prefix(1);
+        if (rest.starts_with("xform ")) rest.remove_prefix(6);
+        Words call(words.begin(), words.begin() + std::ptrdiff_t(file) - 1);
+        for (std::string& word : line_words(rest)) call.push_back(std::move(word));
+        call.insert(call.end(), words.begin() + std::ptrdiff_t(file) + 1, words.end());
+        for_each_call(named(std::move(call), 'i', number++), sink);
+    }
+    if (number == 0) throw Error("empty argument file \"" + words[file] + "\"");
+}
+
+void for_each_element(const Words& words, std::size_t count_at, const RepetitionSink& sink) {
+    int count = 0;
+    if (count_at >= words.size() || !parse_int(words[count_at], count) || count <= 0)
+        throw Error("command line error at '-a'", "a number of repetitions above 0 must follow");
+    for (int i = 0; i < count; ++i) {
+        Words call = words;
+        call[count_at - 1] = "-i";
+        call[count_at] = std::to_string(i);
+        for_each_call(named(std::move(call), 'a', i), sink);
+    }
+}
+
+}  // namespace
+
+void for_each_call(const Words& words, const RepetitionSink& sink) {
+    if (const std::size_t file = value_of(words, "-f"); file > 0) return for_each_line(words, file, sink);
+    if (const std::size_t count = value_of(words, "-a"); count > 0)
+        return for_each_element(words, count, sink);
+    sink.call(words);
+}
+
+}  // namespace infra::xform
