@@ -105,7 +105,7 @@ def hull_scene(folder, scale):
     write(folder, "hull_sky.rad", sky_text() + "void light sun 0 0 3 4e5 4e5 4e5\n"
           "sun source solar 0 0 4 .4 -.6 .7 .533\n")
     generator = random.Random(9)
-    count = round(60000 * scale)
+    count = round(100000 * scale)
 
     def ray():
         target = generator.uniform(0, 120), generator.uniform(-7, 7), generator.uniform(0, 15)
@@ -113,7 +113,7 @@ def hull_scene(folder, scale):
         return tuple(t + 100 * d for t, d in zip(target, away)) + tuple(-d for d in away)
 
     write_rays(os.path.join(folder, "hull.rays"), (ray() for _ in range(count)))
-    size = round(480 * math.sqrt(scale)), round(240 * math.sqrt(scale))
+    size = round(960 * math.sqrt(scale)), round(480 * math.sqrt(scale))
     return Scene("hull", ["hull_sky.rad", "hull.rad"], "-ab 1 -ad 16 -as 0 -aa 0 -dj 0 -lr 4 -lw 1e-4".split(),
                  "-vtv -vp 190 -150 35 -vd -.71 .7 -.16 -vu 0 0 1 -vh 36 -vv 18.46".split(), size, "hull.rays", count)
 

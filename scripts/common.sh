@@ -21,7 +21,7 @@ quietly() {
 
 # Configures and builds the release preset's tree: build_all [cmake argument...]
 build_all() {
-    say "Building in $build"
+    say "Building in $build (minutes the first time, seconds afterwards)"
     quietly cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@"
     local start=$SECONDS
     quietly cmake --build "$build" --parallel

@@ -4,11 +4,14 @@
 
 namespace infra::cal {
 
-Analysis::Analysis(const Lowering& lowered) : graph_(lowered.graph()), uses_(graph_.size()) {
+Analysis::Analysis(const Lowering& lowered) : graph_(lowered.graph()), uses_(graph_.size()), depths_(graph_.size(), 1) {
     for (const Instance& instance : lowered.instances()) delayed_.emplace_back(instance.parameter_count, false);
     std::vector<VertexId> calls;
     for (VertexId id = 0; id < graph_.size(); ++id) {
-        for (const VertexId input : graph_[id].inputs) ++uses_[input];
+        for (const VertexId input : graph_[id].inputs) {  // inputs are made before what needs them
+            ++uses_[input];
+            depths_[id] = std::max(depths_[id], depths_[input] + 1);
+        }
         if (graph_[id].op == Op::call) calls.push_back(id);
     }
     // Suppose none is delayed; then look for calls that show the contrary until nothing changes.

@@ -20,6 +20,9 @@ class Analysis {
     /// How often a vertex is an input of another.
     std::uint32_t uses(VertexId id) const { return uses_[id]; }
 
+    /// Vertices on the longest way down from one, itself included.
+    std::uint32_t depth(VertexId id) const { return depths_[id]; }
+
     /// The vertices, inputs first, that both branches need whatever happens.
     std::vector<VertexId> needed_by_both(VertexId yes, VertexId no) const;
 
@@ -30,6 +33,7 @@ class Analysis {
     const Graph& graph_;
     std::vector<std::vector<bool>> delayed_;
     std::vector<std::uint32_t> uses_;
+    std::vector<std::uint32_t> depths_;
 };
 
 }  // namespace infra::cal

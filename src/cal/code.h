@@ -15,11 +15,12 @@
 
 namespace infra::cal {
 
-enum class Opcode : std::uint16_t {
+enum class Opcode : std::uint8_t {
     move,                  ///< dst = a
     channel,               ///< dst = $data
     argument,              ///< dst = arg(a)
     argument_constant,     ///< dst = real argument number data, from 0
+    argument_affine,       ///< dst = arg(k0 + k1*a + k2*b), the k in three registers from c on
     negate,                ///< dst = -a
     add,                   ///< dst = a + b
     subtract,              ///< dst = a - b
@@ -28,6 +29,7 @@ enum class Opcode : std::uint16_t {
     power,                 ///< dst = a ^ b
     minimum,               ///< dst = min(a, b)
     maximum,               ///< dst = max(a, b)
+    clamp,                 ///< dst = max(min(a, c), b)
     multiply_add,          ///< dst = a * b + c
     interpolate,           ///< dst = (1 - a) * b + a * c
     square_root,           ///< dst = sqrt(a), and so on
@@ -36,7 +38,9 @@ enum class Opcode : std::uint16_t {
     sine,
     cosine,
     arc_cosine,
+    arc_cosine_clamped,    ///< dst = acos(max(min(a, 1), -1))
     arc_tangent2,          ///< dst = atan2(a, b)
+    arc_tangent2_or_zero,  ///< the same, 0 for a = b = 0
     builtin,               ///< dst = builtin number data of the registers from a on
     choose,                ///< dst = a > 0 ? b : c
     jump,                  ///< to data
@@ -51,8 +55,16 @@ enum class Opcode : std::uint16_t {
     fail,                  ///< throws error number data
 };
 
+struct Instruction;
+struct Machine;
+
+/// Carries out an instruction and all that follow it, up to `finish`. `last` is what the one before it computed.
+using Execute = double (*)(const Instruction*, double* registers, Machine&, double last);
+
 struct Instruction {
+    Execute execute = nullptr;
     Opcode opcode = Opcode::fail;
+    std::uint8_t last_operand = 0;  ///< which of a, b, c (1 to 3) is what the instruction before computed; 0: none
     std::uint32_t dst = 0;
     std::uint32_t a = 0;
     std::uint32_t b = 0;

@@ -1,7 +1,10 @@
 #include "cal/generator.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+
+#include "cal/machine.h"
 
 namespace infra::cal {
 namespace {
@@ -26,6 +29,7 @@ Opcode opcode_of(Op op) {
         case Op::cosine: return Opcode::cosine;
         case Op::arc_cosine: return Opcode::arc_cosine;
         case Op::arc_tangent2: return Opcode::arc_tangent2;
+        case Op::arc_tangent2_or_zero: return Opcode::arc_tangent2_or_zero;
         default: return Opcode::fail;
     }
 }
@@ -44,6 +48,7 @@ Code Generator::generate() {
     while (generate_round()) {
     }
     place_bodies();
+    pass_on_last_values();
     code_.stack_registers = stack_registers();
     code_.builtins.assign(graph_.builtins().begin(), graph_.builtins().end());
     code_.errors = lowered_.errors();
@@ -149,6 +154,13 @@ Generator::Register Generator::constant(double value) {
     return constant_flag | found->second;
 }
 
+/// Registers of constants one after the other.
+Generator::Register Generator::constants(std::initializer_list<double> values) {
+    const auto first = static_cast<Register>(constants_->size());
+    constants_->insert(constants_->end(), values);
+    return constant_flag | first;
+}
+
 void Generator::remember(VertexId id, Register reg) {
     if (available_[id] != unused) return;
     available_[id] = reg;
@@ -160,7 +172,7 @@ void Generator::forget_back_to(std::size_t mark) {
 }
 
 std::uint32_t Generator::add(Opcode opcode, Register dst, Register a, Register b, Register c, std::uint32_t data) {
-    code_.instructions.push_back({opcode, dst, a, b, c, data});
+    code_.instructions.push_back({nullptr, opcode, 0, dst, a, b, c, data});
     return here() - 1;
 }
 
@@ -199,6 +211,36 @@ void Generator::place_bodies() {
         if (body.is_cell) cells_base += body.registers;
     }
     code_.static_registers = cells_base;
+}
+
+/// Marks operands that are what the instruction before has just computed, and chooses the function that executes each
+/// instruction accordingly. A register that code jumps to may have come from elsewhere, so jump targets take no part.
+void Generator::pass_on_last_values() {
+    std::vector<bool> is_target(code_.instructions.size() + 1);
+    for (const Instruction& instruction : code_.instructions) {
+        switch (instruction.opcode) {
+            case Opcode::jump:
+            case Opcode::jump_unless_positive:
+            case Opcode::jump_unless_greater:
+            case Opcode::delay: is_target[instruction.data] = true; break;
+            case Opcode::jump_selected:
+                for (std::uint32_t i = 0; i < code_.jump_tables[instruction.data] + 2; ++i)
+                    is_target[code_.jump_tables[instruction.data + 1 + i]] = true;
+                break;
+            default: break;
+        }
+    }
+    for (const Body& body : bodies_) is_target[body.begin] = true;
+    for (std::size_t i = 0; i < code_.instructions.size(); ++i) {
+        Instruction& instruction = code_.instructions[i];
+        if (i > 0 && !is_target[i] && gives_value(code_.instructions[i - 1].opcode)) {
+            const Register last = code_.instructions[i - 1].dst;
+            const std::array<Register, 3> operands{instruction.a, instruction.b, instruction.c};
+            for (std::uint8_t k = operand_count(instruction.opcode); k > 0; --k)
+                if (operands[k - 1u] == last) instruction.last_operand = k;
+        }
+        instruction.execute = execute_function(instruction.opcode, instruction.last_operand);
+    }
 }
 
 /// Room for the call stack: one frame, or many where instances call instances.
@@ -270,9 +312,11 @@ Generator::Register Generator::emit_here(VertexId id) {
         case Op::fail: add(Opcode::fail, unused, unused, unused, unused, vertex.data); return constant(0);
         default: break;
     }
+    Register dst;
+    if (emit_clamp(id, dst)) return dst;
     const Register a = emit(vertex.inputs[0]);
     const Register b = vertex.inputs.size() > 1 ? emit(vertex.inputs[1]) : unused;
-    const Register dst = new_registers();
+    dst = new_registers();
     add(opcode_of(vertex.op), dst, a, b);
     return dst;
 }
@@ -284,18 +328,43 @@ Generator::Register Generator::emit_parameter(const Vertex& vertex) {
     return slot;
 }
 
+/// Whether a vertex is one of this kind that only the vertex being emitted needs, so that both can be one instruction.
+bool Generator::is_private(VertexId id, Op op) const {
+    return graph_[id].op == op && analysis_.uses(id) == 1 && !at_hand(id) && !is_shared_[id];
+}
+
+bool Generator::is_constant(VertexId id, double value) const {
+    return graph_[id].op == Op::constant && graph_[id].number == value;
+}
+
+/// max(min(x, high), low) with constants, and the arc cosine of it for -1 and 1.
+bool Generator::emit_clamp(VertexId id, Register& dst) {
+    const Vertex& outer = graph_[id];
+    const bool arc_cosine = outer.op == Op::arc_cosine && is_private(outer.inputs[0], Op::maximum);
+    if (!arc_cosine && outer.op != Op::maximum) return false;
+    const Vertex& maximum = arc_cosine ? graph_[outer.inputs[0]] : outer;
+    if (!is_private(maximum.inputs[0], Op::minimum) || graph_[maximum.inputs[1]].op != Op::constant) return false;
+    const Vertex& minimum = graph_[maximum.inputs[0]];
+    if (graph_[minimum.inputs[1]].op != Op::constant) return false;
+    if (arc_cosine && !(is_constant(maximum.inputs[1], -1) && is_constant(minimum.inputs[1], 1))) return false;
+    const Register x = emit(minimum.inputs[0]);
+    dst = new_registers();
+    if (arc_cosine)
+        add(Opcode::arc_cosine_clamped, dst, x);
+    else
+        add(Opcode::clamp, dst, x, emit(maximum.inputs[1]), emit(minimum.inputs[1]));
+    return true;
+}
+
 // a*b + c and (1-t)*a + t*b in one instruction, where the parts are not needed by themselves.
 Generator::Register Generator::emit_sum(VertexId id) {
-    const auto private_product = [this](VertexId input) {
-        return graph_[input].op == Op::multiply && analysis_.uses(input) == 1 && !at_hand(input) && !is_shared_[input];
-    };
+    const auto private_product = [this](VertexId input) { return is_private(input, Op::multiply); };
     const VertexId left = graph_[id].inputs[0], right = graph_[id].inputs[1];
     if (left != right && private_product(left) && private_product(right)) {
         const Vertex& complement = graph_[graph_[left].inputs[0]];
         const VertexId t = graph_[right].inputs[0];
         const bool interpolates = complement.op == Op::subtract && complement.inputs[1] == t &&
-                                  graph_[complement.inputs[0]].op == Op::constant &&
-                                  graph_[complement.inputs[0]].number == 1;
+                                  is_constant(complement.inputs[0], 1);
         if (interpolates) {
             const Register a = emit(t), b = emit(graph_[left].inputs[1]), c = emit(graph_[right].inputs[1]);
             const Register dst = new_registers();
@@ -323,9 +392,53 @@ Generator::Register Generator::emit_argument(VertexId id) {
     const Register dst = new_registers();
     if (number.op == Op::constant && number.number >= .5 && number.number < largest)
         add(Opcode::argument_constant, dst, unused, unused, unused, static_cast<std::uint32_t>(number.number + .5) - 1);
-    else
+    else if (!emit_affine_argument(graph_[id].inputs[0], dst))
         add(Opcode::argument, dst, emit(graph_[id].inputs[0]));
     return dst;
+}
+
+/// The sum of constant multiples of vertices that a vertex is, found through +, - and products with constants.
+struct Generator::AffineForm {
+    double constant = 0;
+    std::vector<std::pair<VertexId, double>> terms;
+
+    void add(const Graph& graph, VertexId id, double factor) {
+        const Vertex& vertex = graph[id];
+        const auto is_number = [&graph](VertexId input) { return graph[input].op == Op::constant; };
+        if (vertex.op == Op::constant) {
+            constant += factor * vertex.number;
+        } else if (vertex.op == Op::negate) {
+            add(graph, vertex.inputs[0], -factor);
+        } else if (vertex.op == Op::add || vertex.op == Op::subtract) {
+            add(graph, vertex.inputs[0], factor);
+            add(graph, vertex.inputs[1], vertex.op == Op::add ? factor : -factor);
+        } else if (vertex.op == Op::multiply && is_number(vertex.inputs[0])) {
+            add(graph, vertex.inputs[1], factor * graph[vertex.inputs[0]].number);
+        } else if (vertex.op == Op::multiply && is_number(vertex.inputs[1])) {
+            add(graph, vertex.inputs[0], factor * graph[vertex.inputs[1]].number);
+        } else {
+            const auto same = [id](const auto& term) { return term.first == id; };
+            const auto known = std::find_if(terms.begin(), terms.end(), same);
+            if (known == terms.end())
+                terms.emplace_back(id, factor);
+            else
+                known->second += factor;
+        }
+    }
+};
+
+/// Tables are read by arg(n*i + j + 1) and the like: one instruction where the number has at most two variable terms.
+bool Generator::emit_affine_argument(VertexId number, Register dst) {
+    constexpr int longest = 64;
+    if (at_hand(number) || is_shared_[number] || analysis_.depth(number) > longest) return false;
+    AffineForm form;
+    form.add(graph_, number, 1);
+    if (form.terms.empty() || form.terms.size() > 2 || form.terms.front().first == number) return false;
+    const bool one = form.terms.size() == 1;
+    const Register a = emit(form.terms.front().first), b = one ? a : emit(form.terms.back().first);
+    add(Opcode::argument_affine, dst, a, b,
+        constants({form.constant, form.terms.front().second, one ? 0 : form.terms.back().second}));
+    return true;
 }
 
 Generator::Register Generator::emit_builtin(VertexId id) {
@@ -341,11 +454,12 @@ Generator::Register Generator::emit_builtin(VertexId id) {
 
 // ---- branches ----
 
-/// Whether a vertex may be computed although it might not be needed: cheap, and unable to fail.
-bool Generator::can_choose(VertexId id, int budget) const {
+/// Whether a vertex may be computed although it might not be needed: it cannot fail, and what it needs beyond what is
+/// at hand costs no more than the budget.
+bool Generator::can_choose(VertexId id, int& budget) const {
     const Vertex& vertex = graph_[id];
     if (vertex.op == Op::constant || at_hand(id)) return true;
-    if (vertex.cost > budget || is_shared_[id]) return false;
+    if (--budget < 0 || is_shared_[id]) return false;
     switch (vertex.op) {
         case Op::parameter: return !analysis_.is_delayed(vertex.scope, vertex.data);
         case Op::negate:
@@ -360,15 +474,29 @@ bool Generator::can_choose(VertexId id, int budget) const {
                        [&](VertexId input) { return can_choose(input, budget); });
 }
 
-/// Emits the condition of an if and what both branches need, then a jump still without target to the second.
-std::uint32_t Generator::emit_branch(VertexId id) {
+/// Emits what an if certainly needs: its condition and what its branches have in common. Then, unless both branches
+/// are cheap enough to be computed in any case, a jump still without target to the second one.
+///   returns  place of the jump, or no_jump; the condition is in `positive` then
+std::uint32_t Generator::emit_branch(VertexId id, Register& positive) {
     const std::vector<VertexId>& inputs = graph_[id].inputs;
     const VertexId condition = inputs[0];
     const bool compares = graph_[condition].op == Op::subtract && !at_hand(condition) && !is_shared_[condition];
     const Register a = emit(compares ? graph_[condition].inputs[0] : condition);
     const Register b = compares ? emit(graph_[condition].inputs[1]) : unused;
     for (const VertexId common : analysis_.needed_by_both(inputs[1], inputs[2])) emit(common);
+    int budget = choice_budget;
+    if (can_choose(inputs[1], budget) && can_choose(inputs[2], budget)) {
+        positive = emit(condition);
+        return no_jump;
+    }
     return add(compares ? Opcode::jump_unless_greater : Opcode::jump_unless_positive, unused, a, b);
+}
+
+Generator::Register Generator::emit_choice(VertexId id, Register positive) {
+    const Register b = emit(graph_[id].inputs[1]), c = emit(graph_[id].inputs[2]);
+    const Register dst = new_registers();
+    add(Opcode::choose, dst, positive, b, c);
+    return dst;
 }
 
 bool Generator::is_branching(VertexId id) const {
@@ -377,21 +505,16 @@ bool Generator::is_branching(VertexId id) const {
 }
 
 Generator::Register Generator::emit_if(VertexId id) {
-    const VertexId condition = graph_[id].inputs[0], yes = graph_[id].inputs[1], no = graph_[id].inputs[2];
-    if (can_choose(yes, choice_budget) && can_choose(no, choice_budget)) {
-        const Register a = emit(condition), b = emit(yes), c = emit(no);
-        const Register dst = new_registers();
-        add(Opcode::choose, dst, a, b, c);
-        return dst;
-    }
+    Register positive;
+    const std::uint32_t branch = emit_branch(id, positive);
+    if (branch == no_jump) return emit_choice(id, positive);
     const Register dst = new_registers();
-    const std::uint32_t branch = emit_branch(id);
     const std::size_t mark = trail_.size();
-    emit_move(dst, emit(yes));
+    emit_move(dst, emit(graph_[id].inputs[1]));
     const std::uint32_t end = add(Opcode::jump, unused);
     forget_back_to(mark);
     code_.instructions[branch].data = here();
-    emit_move(dst, emit(no));
+    emit_move(dst, emit(graph_[id].inputs[2]));
     forget_back_to(mark);
     code_.instructions[end].data = here();
     return dst;
@@ -403,7 +526,12 @@ void Generator::emit_finish(VertexId id) {
         add(Opcode::finish, unused, emit(id));
         return;
     }
-    const std::uint32_t branch = emit_branch(id);
+    Register positive;
+    const std::uint32_t branch = emit_branch(id, positive);
+    if (branch == no_jump) {
+        add(Opcode::finish, unused, emit_choice(id, positive));
+        return;
+    }
     const std::size_t mark = trail_.size();
     emit_finish(graph_[id].inputs[1]);
     forget_back_to(mark);
@@ -458,7 +586,8 @@ Generator::Register Generator::emit_call(VertexId id) {
 }
 
 void Generator::emit_delayed(Register slot, VertexId id) {
-    if (can_choose(id, choice_budget)) {
+    int budget = choice_budget;
+    if (can_choose(id, budget)) {
         emit_move(slot, emit(id));
         emit_move(slot + 1, constant(0));
         return;

@@ -6,6 +6,7 @@
 // places are found by generating the code, so it is generated again until no new ones turn up.
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -35,6 +36,7 @@ class Generator {
     static constexpr Register constant_flag = 0x80000000;  ///< marks the number of a constant, not of a register
     static constexpr std::uint32_t no_instance = 0xffffffff;
     static constexpr VertexId no_vertex = 0xffffffff;
+    static constexpr std::uint32_t no_jump = 0xffffffff;
 
     /// A stretch of code whose registers still have to be given their final numbers.
     struct Body {
@@ -44,6 +46,8 @@ class Generator {
         Register registers = 0;
     };
 
+    struct AffineForm;
+
     bool generate_round();
     void root_or_cell_body(VertexId vertex, bool is_cell);
     void instance_body(std::uint32_t instance);
@@ -51,12 +55,15 @@ class Generator {
     void end_body(std::uint32_t begin, bool is_cell);
     std::uint32_t want_instance(std::uint32_t instance);
     void place_bodies();
+    void pass_on_last_values();
     void place(const Body& body, Register base);
     Register stack_registers() const;
 
     Register emit(VertexId id);
     Register emit_here(VertexId id);
     Register emit_sum(VertexId id);
+    bool emit_clamp(VertexId id, Register& dst);
+    bool emit_affine_argument(VertexId id, Register dst);
     Register emit_if(VertexId id);
     Register emit_select(VertexId id);
     Register emit_call(VertexId id);
@@ -64,17 +71,21 @@ class Generator {
     Register emit_argument(VertexId id);
     Register emit_parameter(const Vertex& vertex);
     void emit_finish(VertexId id);
-    std::uint32_t emit_branch(VertexId id);
+    std::uint32_t emit_branch(VertexId id, Register& positive);
+    Register emit_choice(VertexId id, Register positive);
     void emit_move(Register dst, Register from);
     void emit_delayed(Register slot, VertexId id);
 
     bool has_home(VertexId id);
     Register load_from_home(VertexId id);
-    bool can_choose(VertexId id, int budget) const;
+    bool can_choose(VertexId id, int& budget) const;
+    bool is_private(VertexId id, Op op) const;
+    bool is_constant(VertexId id, double value) const;
     bool is_branching(VertexId id) const;
     bool at_hand(VertexId id) const { return id == self_ ? false : available_[id] != unused; }
 
     Register constant(double value);
+    Register constants(std::initializer_list<double> values);
     Register new_registers(Register count = 1);
     std::uint32_t add(Opcode opcode, Register dst, Register a = unused, Register b = unused, Register c = unused,
                       std::uint32_t data = 0);

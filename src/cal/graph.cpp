@@ -24,6 +24,7 @@ std::uint16_t own_cost(Op op) {
         case Op::cosine:
         case Op::arc_cosine:
         case Op::arc_tangent2:
+        case Op::arc_tangent2_or_zero:
         case Op::builtin: return 20;
         case Op::call: return 100;
         default: return 1;
@@ -100,7 +101,8 @@ bool Graph::fold(const Vertex& vertex, double& value) const {
         case Op::sine: value = std::sin(input(0)); break;
         case Op::cosine: value = std::cos(input(0)); break;
         case Op::arc_cosine: value = std::acos(input(0)); break;
-        case Op::arc_tangent2: value = std::atan2(input(0), input(1)); break;
+        case Op::arc_tangent2:
+        case Op::arc_tangent2_or_zero: value = std::atan2(input(0), input(1)); break;
         case Op::builtin: {
             const Builtin& builtin = builtins_[vertex.data];
             if (!builtin.pure) return false;
@@ -138,6 +140,10 @@ bool Graph::simplify_if(std::span<const VertexId> inputs, VertexId& result) {
     const VertexId yes = inputs[1], no = inputs[2];
     const Vertex& condition = vertices_[inputs[0]];
     if (condition.op == Op::constant) return result = condition.number > 0 ? yes : no, true;
+    const Vertex& first = vertices_[yes];
+    if (first.op == Op::arc_tangent2 && is_constant(no, 0) &&
+        is_sum_of_squares(condition, first.inputs[0], first.inputs[1]))
+        return result = make(Op::arc_tangent2_or_zero, {first.inputs[0], first.inputs[1]}), true;
     if (condition.op != Op::subtract) return false;
     const VertexId a = condition.inputs[0], b = condition.inputs[1];
     if (yes == a && no == b) return result = make(Op::maximum, {b, a}), true;  // if(a-b, a, b)
@@ -150,6 +156,15 @@ bool Graph::simplify_if(std::span<const VertexId> inputs, VertexId& result) {
             return result = make(Op::maximum, {no, a}), true;
     }
     return false;
+}
+
+bool Graph::is_sum_of_squares(const Vertex& vertex, VertexId a, VertexId b) const {
+    const auto is_square = [this](VertexId id, VertexId of) {
+        return vertices_[id].op == Op::multiply && vertices_[id].inputs[0] == of && vertices_[id].inputs[1] == of;
+    };
+    if (vertex.op != Op::add) return false;
+    const VertexId left = vertex.inputs[0], right = vertex.inputs[1];
+    return (is_square(left, a) && is_square(right, b)) || (is_square(left, b) && is_square(right, a));
 }
 
 VertexId Graph::make(Op op, std::vector<VertexId> inputs, std::uint32_t data) {

@@ -36,6 +36,7 @@ enum class Op : std::uint8_t {
     cosine,
     arc_cosine,
     arc_tangent2,
+    arc_tangent2_or_zero,  ///< atan2, but 0 where both inputs are 0
     builtin,      ///< data: index among the builtins; inputs: its arguments
     if_positive,  ///< inputs: condition, then, else
     select,       ///< inputs: index, alternatives 1, 2, ...
@@ -81,6 +82,7 @@ class Graph {
     bool fold(const Vertex& vertex, double& value) const;
     bool simplify(Op op, std::span<const VertexId> inputs, VertexId& result);
     bool simplify_if(std::span<const VertexId> inputs, VertexId& result);
+    bool is_sum_of_squares(const Vertex& vertex, VertexId a, VertexId b) const;
     std::uint16_t total_cost(const Vertex& vertex) const;
 
     std::span<const Builtin> builtins_;

@@ -9,9 +9,9 @@ Error Host::error(std::string_view message, std::string_view hint) const {
     return Error(where ? *where : Location{}, text, hint);
 }
 
-double Host::channel_value(int number) const {
-    if (!channel) throw error("channel $" + std::to_string(number) + " used in a constant expression");
-    return channel(self, number);
+double Host::no_channel(int number) const {
+    throw error("channel $" + std::to_string(number) + " used in a constant expression",
+                "define it with '=', not ':'");
 }
 
 }  // namespace infra::cal

@@ -17,10 +17,13 @@ struct Host {
     const Location* where = nullptr;                           ///< for errors: where the owner was defined
 
     /// Value of $number. throws Error where there are no channels at all, as in a constant.
-    double channel_value(int number) const;
+    double channel_value(int number) const { return channel ? channel(self, number) : no_channel(number); }
 
     /// Error with this host's location, its message led by the owner.
     Error error(std::string_view message, std::string_view hint = {}) const;
+
+  private:
+    [[noreturn]] double no_channel(int number) const;
 };
 
 }  // namespace infra::cal

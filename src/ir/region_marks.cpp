@@ -38,7 +38,7 @@ void mark_region(Image8& image, const Region& region, double mean, int offset) {
         image.set(region.x0, y, ink);
         image.set(region.x1 - 1, y, ink);
     }
-    const std::string figure = formatted("%.5g", mean);
+    const std::string figure = formatted("%#.5g", mean);
     const int wanted = std::max(text_width(region.label), text_width(figure)) + 6;
     const int text_scale = std::clamp((region.x1 - region.x0) / wanted, 1, 3);
     const int margin = 3 * text_scale;

@@ -62,10 +62,9 @@ FunctionSet::FunctionSet(ModifierContext& context, std::size_t first, std::size_
     const auto begin = std::find_if(words.begin(), words.end(), is_transform_option);
     words.erase(words.begin(), begin);
     if (!words.empty()) {
-        Transform transform;
-        if (parse_transform(std::span<const std::string_view>(words), transform) != words.size())
+        if (parse_transform(std::span<const std::string_view>(words), from_local_) != words.size())
             throw context.error("bad transform", "options such as -t x y z, -rx angle, -s factor");
-        to_local_ = transform.inverse();
+        to_local_ = from_local_.inverse();
         scale_ = to_local_.magnification();
     }
 }

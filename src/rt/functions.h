@@ -22,12 +22,15 @@ class FunctionSet {
     ///   throws  Error for too few arguments, bad syntax, a missing file, a bad transform
     FunctionSet(ModifierContext& context, std::size_t first, std::size_t count, std::size_t file);
 
+    /// A vector from the function's coordinates to those of the scene, without change of length.
+    Vec3 to_scene(const Vec3& v) const { return from_local_.vector(v) / from_local_.magnification(); }
+
     /// Values at a hit. False if one of them had a domain error: RADIANCE then leaves the modifier out.
     bool evaluate(Tracer& tracer, const Interaction& at, double* values) const;
 
   private:
     std::vector<cal::ExprId> expressions_;
-    Transform to_local_;
+    Transform to_local_, from_local_;
     double scale_;
     std::span<const double> reals_;
     std::string owner_;

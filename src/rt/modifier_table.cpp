@@ -7,10 +7,11 @@ using enum PrimitiveType;
 
 constexpr ModifierRow rows[] = {
     {plastic, make_plastic},       {metal, make_metal},       {trans, make_trans},
+    {glass, make_glass},
     {light, make_light},           {glow, make_glow},         {illum, make_illum},
     {spotlight, make_spotlight},   {emissive, make_emissive}, {nrlbrdf, make_nrlbrdf},
     {brightfunc, make_brightfunc}, {colorfunc, make_colorfunc},
-    {mixfunc, make_mixfunc},
+    {texfunc, make_texfunc},       {mixfunc, make_mixfunc},
 };
 
 }  // namespace

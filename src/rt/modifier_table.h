@@ -56,6 +56,7 @@ std::vector<std::string_view> referenced_modifiers(const Scene& scene, Primitive
 std::unique_ptr<Modifier> make_plastic(ModifierContext&);
 std::unique_ptr<Modifier> make_metal(ModifierContext&);
 std::unique_ptr<Modifier> make_trans(ModifierContext&);
+std::unique_ptr<Modifier> make_glass(ModifierContext&);
 std::unique_ptr<Modifier> make_light(ModifierContext&);
 std::unique_ptr<Modifier> make_glow(ModifierContext&);
 std::unique_ptr<Modifier> make_illum(ModifierContext&);
@@ -64,6 +65,7 @@ std::unique_ptr<Modifier> make_emissive(ModifierContext&);
 std::unique_ptr<Modifier> make_nrlbrdf(ModifierContext&);
 std::unique_ptr<Modifier> make_brightfunc(ModifierContext&);
 std::unique_ptr<Modifier> make_colorfunc(ModifierContext&);
+std::unique_ptr<Modifier> make_texfunc(ModifierContext&);
 std::unique_ptr<Modifier> make_mixfunc(ModifierContext&);
 
 }  // namespace infra

@@ -61,6 +61,7 @@ struct Ray {
 struct Interaction {
     const Ray* ray;
     double weight;                  ///< the ray's, less within mixtures
+    double share = 1;               ///< of this part in the mixture that it belongs to
 
     // Where: set by the intersection, the point is the ray's origin where nothing near was hit
     double distance = infinite_distance;
@@ -68,6 +69,7 @@ struct Interaction {
     Vec3 normal;                    ///< of the surface, turned to the ray once a material has seen its back
     double cosine = 1;              ///< of ray and normal, negative from behind
     int surface = -1;               ///< index among the scene's surfaces, -1: nothing
+    Vec3 perturbation{0};           ///< of the normal, the sum of the textures met so far
     bool flipped = false;
     bool discounted = false;        ///< a light source met by a ray that must not count it
 
@@ -87,6 +89,18 @@ struct Interaction {
           radiance(r.coefficient.channels()),
           mirrored(r.coefficient.channels()) {}
 
+    bool textured() const { return dot(perturbation, perturbation) > same_place * same_place; }
+    /// The normal with its textures, unit length, on the same side of the ray as the true one.
+    Vec3 perturbed_normal() const {
+        if (!textured()) return normal;
+        const Vec3 sum = normal + perturbation;
+        const double size = length(sum);
+        if (!(size > 0)) return normal;
+        const Vec3 turned = sum / size;
+        const double c = -dot(turned, ray->direction);
+        return (c > 0) == (cosine > 0) ? turned : turned + ray->direction * (2.0 * c);
+    }
+
     bool hit() const { return surface >= 0; }
     int channels() const { return radiance.channels(); }
 
@@ -97,6 +111,7 @@ struct Interaction {
 
     void flip() {
         normal = -normal;
+        perturbation = -perturbation;
         cosine = -cosine;
         flipped = !flipped;
     }

@@ -110,7 +110,8 @@ class SceneCompiler {
             Surface& surface = out_.surfaces_[i];
             const PrimitiveId modifier = scene_.modifier(surface.primitive);
             surface.modifier = made(modifier);
-            if (const Modifier* material = Modifier::material_of(surface.modifier)) surface.material = material->traits();
+            if (const Modifier* material = Modifier::material_of(surface.modifier))
+                surface.material = material->traits();
             if (settings_.ambient_filter.mode != NameFilter::Mode::none) {
                 const bool named = modifier != void_primitive && names.contains(scene_.name(modifier));
                 surface.in_ambient = named == (settings_.ambient_filter.mode == NameFilter::Mode::include);

@@ -1,6 +1,7 @@
 #include "rt/tracer.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "rt/materials/scattering.h"
 #include "rt/scratch.h"
@@ -38,7 +39,9 @@ Ray Tracer::primary(const Vec3& origin, const Vec3& direction, double max_distan
 void Tracer::trace(Interaction& at) {
     if (intersect(at)) {
         shade(at);
-    } else if (at.ray->max_distance <= tiny && meet_distant_source(at)) {
+    } else if (at.ray->max_distance > tiny) {
+        // ended by the aft clipping plane
+    } else if (meet_distant_source(at)) {
         shade_chain(scene_.surface(at.surface).modifier, at);
     }
     if (!std::isfinite(at.radiance.mean())) {
@@ -67,7 +70,10 @@ bool Tracer::intersect(Interaction& at) {
     HitState state;
     if (at.ray->max_distance > tiny) state.distance = at.ray->max_distance;
     scene_.geometry().intersect(at.ray->origin, at.ray->direction, state);
-    if (state.surface < 0) return false;
+    if (state.surface < 0) {
+        if (at.ray->max_distance > tiny) at.point = at.ray->origin + at.ray->direction * at.ray->max_distance;
+        return false;
+    }
     complete_hit(state, at);
     return true;
 }
@@ -83,7 +89,8 @@ void Tracer::complete_hit(const HitState& state, Interaction& at) const {
 bool Tracer::meet_distant_source(Interaction& at) const {
     const Ray& ray = *at.ray;
     const auto covers = [&](const LightSource& source) {
-        return 2 * 3.14159265358979323846 * (1.0 - dot(source.center, ray.direction)) <= source.size;
+        constexpr double rim = 1e-6;  // sr: the rim belongs to the source, so that two half spaces leave no gap
+        return 2 * std::numbers::pi * (1.0 - dot(source.center, ray.direction)) <= source.size + rim;
     };
     if (ray.aimed_source >= 0) {
         const LightSource& aimed = scene_.source(ray.aimed_source);
@@ -167,8 +174,8 @@ void Tracer::transport(const Scattering& scattering, Interaction& at) {
     if (scattering.pure_specular) return;
     for (int i = 0; i < scattering.lobe_count; ++i)
         if (scattering.lobe_sampled[i]) trace_lobe(*scattering.lobes[i], at);
-    add_ambient(scattering.ambient, false, at);
-    add_ambient(scattering.ambient_through, true, at);
+    add_ambient(scattering.ambient, scattering.normal, false, at);
+    add_ambient(scattering.ambient_through, -scattering.normal, true, at);
     add_direct(scattering, at);
 }
 
@@ -179,11 +186,11 @@ void Tracer::trace_through(const Scattering& scattering, Interaction& at) {
     Interaction beyond(child);
     trace(beyond);
     at.radiance.add_product(beyond.radiance, child.coefficient);
-    if (scattering.through_fraction >= 1.0 - tiny) {  // as clear as air: what lies behind is what is seen
+    if (scattering.as_clear_as_air) {
         at.mirrored = beyond.mirrored * child.coefficient;
         at.mirrored_distance = at.distance + beyond.mirrored_distance;
         at.direct_distance = at.distance + beyond.direct_distance;
-    } else if (scattering.through_fraction > scattering.through_rest) {
+    } else if (scattering.seen_through) {
         at.direct_distance = at.distance + beyond.apparent_distance();
     }
 }
@@ -197,7 +204,7 @@ void Tracer::trace_mirror(const Scattering& scattering, Interaction& at) {
     at.mirrored = image.radiance * child.coefficient;
     at.radiance += at.mirrored;
     at.mirrored_distance = at.distance;
-    if (scattering.flat_mirror && at.ray->is(ambient_rays)) at.mirrored_distance += image.apparent_distance();
+    if (scattering.image_behind) at.mirrored_distance += image.apparent_distance();
 }
 
 void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
@@ -212,15 +219,18 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     } else {
         count = 1;
     }
-    for (int i = 0; i < count; ++i) {
+    Spectrum sum(at.channels());
+    int draws = 0;
+    for (int traced = 0; (lobe.redraws ? traced : draws) < count && draws < 10 * count; ++draws) {
         const LobeDraw draw = lobe.sample(random_, count);
         if (draw.weight <= 0) continue;
+        ++traced;
         child.direction = draw.wi;
         Interaction seen(child);
         trace(seen);
-        seen.radiance *= static_cast<float>(draw.weight);
-        at.radiance.add_product(seen.radiance, child.coefficient);
+        sum.add_scaled(seen.radiance * child.coefficient, static_cast<float>(draw.weight));
     }
+    at.radiance.add_scaled(sum, static_cast<float>(count) / static_cast<float>(draws));
 }
 
 bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, const Spectrum* coefficient) {

@@ -90,10 +90,12 @@ class Tracer {
     void trace_lobe(const class Lobe& lobe, Interaction& at);
 
     // ambient/hemisphere.cpp
-    void add_ambient(const Spectrum& coefficient, bool other_side, Interaction& at);
-    bool sample_hemisphere(const Spectrum& coefficient, bool other_side, Interaction& at, Spectrum& sum);
-    bool trace_ambient(const Spectrum& coefficient, bool other_side, double x, double y, Interaction& at,
-                       Spectrum& radiance);
+    struct Hemisphere;
+    void add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at);
+    bool sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum);
+    bool sample_adaptively(const Hemisphere& half, int extra, Interaction& at, Spectrum& sum);
+    bool sample_cell(const Hemisphere& half, int cell, Interaction& at, Spectrum& radiance);
+    bool trace_ambient(const Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance);
 
     // sources/direct.cpp
     void add_direct(const Scattering& scattering, Interaction& at);

@@ -25,6 +25,8 @@ class ByteReader {
     /// A line of text, without its end.
     std::string line(std::size_t longest);
 
+    const std::string& name() const { return name_; }
+
     /// throws Error "name: damaged octree: what".
     [[noreturn]] void fail_damaged(const std::string& what) const;
     /// throws Error "name: message".

@@ -55,7 +55,9 @@ int oconv(int argc, char** argv) {
         file = load_octree(settings.input_octree, warn, OctreePart::tree);
         if (file.frozen && !settings.freeze && !inputs->empty()) warn("frozen octree");
     }
-    file.header.push_back(join_command(std::vector<std::string>(argv, argv + argc)));
+    std::vector<std::string> words(argv, argv + argc);
+    words[0] = options.program();
+    file.header.push_back(join_command(words));
     file.frozen = file.frozen || settings.freeze;
 
     const PrimitiveId first = file.scene.size();

@@ -32,6 +32,7 @@ FileHandle open_file(const std::string& path, const char* kind) {
 /// Lines up to the empty one. throws Error if they say that the file is something else.
 std::vector<std::string> read_header(ByteReader& in, std::string_view format, const std::string& kind) {
     std::vector<std::string> lines;
+    bool formatted = false;
     for (std::string line = in.line(longest_header_line); !line.empty() && line != "\r";
          line = in.line(longest_header_line)) {
         if (lines.empty() && (line[0] < ' ' || line[0] > '~')) in.fail("this is no " + kind);
@@ -41,8 +42,10 @@ std::vector<std::string> read_header(ByteReader& in, std::string_view format, co
         }
         std::string found = line.substr(format_key.size());
         found.erase(found.find_last_not_of(" \r\t") + 1);
+        formatted = true;
         if (found != format) in.fail("this is no " + kind + " but a file of format " + found);
     }
+    if (!formatted) in.fail("this is no " + kind);
     return lines;
 }
 

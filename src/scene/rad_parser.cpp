@@ -73,12 +73,12 @@ bool RadParser::read_word(std::string& word) {
         if (quote == 0 && is_space(c)) break;
         source_.get();
         any = true;
+        if (c == 0) fail("a zero byte: this is not a text file");
         if (c == quote) {
             quote = 0;
         } else if (quote == 0 && is_quote(c)) {
             quote = c;
         } else {
-            if (c == 0) fail("a zero byte: this is not a text file");
             word += static_cast<char>(c);
             if (word.size() > longest_word)
                 fail("a word of more than " + std::to_string(longest_word) + " characters, " + quoted(word),

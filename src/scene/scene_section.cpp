@@ -38,6 +38,7 @@ TypeNames read_type_names(ByteReader& in) {
 
 void read_scene_section(ByteReader& in, Scene& scene, int id_size) {
     const TypeNames types = read_type_names(in);
+    const SourcePlace place{scene.add_file(in.name()), 0};
     std::vector<std::string> strings;
     std::vector<std::string_view> views;
     std::vector<double> reals;
@@ -59,7 +60,7 @@ void read_scene_section(ByteReader& in, Scene& scene, int id_size) {
         if (real_count < 0) in.fail_damaged("a negative number of arguments");
         reals.clear();
         for (std::int64_t i = 0; i < real_count; ++i) reals.push_back(in.real());
-        scene.add(type, PrimitiveId(modifier), name, views, reals);
+        scene.add(type, PrimitiveId(modifier), name, views, reals, place);
     }
 }
 

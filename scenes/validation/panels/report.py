@@ -55,7 +55,7 @@ def write_report(folder, scene, tables, bars, commands):
         f"W·m⁻²·sr⁻¹ (black bodies at 15, 20 and 25 °C). {verdict}</p>",
         picture(folder, "horizon.png", "The panels before the horizon, 1 to 7 from the left. The mirror (3) shows the same "
                 "horizon as behind it and so cannot be told from the background; 5 and 6 show it weaker, and the lobe "
-                "of 6 and 7 blurs it."),
+                "of 7 is too wide to show it."),
     ]
     for caption, rows in tables.items():
         parts += [f"<h2>Seen {html.escape(caption)}</h2>", table(rows)]

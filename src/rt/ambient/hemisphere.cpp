@@ -54,13 +54,25 @@ void estimate_variances(std::vector<HemisphereCell>& cells, int n, double norm) 
 
 }  // namespace
 
-void Tracer::add_ambient(const Spectrum& coefficient, bool other_side, Interaction& at) {
+/// The rays of one hemisphere: where they go and what each brings.
+struct Tracer::Hemisphere {
+    std::uint16_t kind;
+    Vec3 normal, u, v;   ///< frame around the normal with its textures
+    Vec3 surface_normal;
+    int divisions;       ///< along each side of the square
+    Spectrum share;      ///< coefficient of one ray
+};
+
+void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at) {
     if (coefficient.maximum() <= 0) return;
     const bool computed = settings_.ambient_divisions > 0 && at.ray->ambient_level < settings_.ambient_bounces &&
                           (at.surface < 0 || scene_.surface(at.surface).in_ambient);
     if (computed) {
+        Hemisphere half{other_side ? through_ambient : reflected_ambient, normal, Vec3{0}, Vec3{0},
+                        other_side ? -at.normal : at.normal, 1, coefficient};
+        make_frame(normal, half.u, half.v);
         Spectrum sum(at.channels());
-        if (sample_hemisphere(coefficient, other_side, at, sum)) {
+        if (sample_hemisphere(half, at, sum)) {
             at.radiance += sum;
             return;
         }
@@ -70,17 +82,15 @@ void Tracer::add_ambient(const Spectrum& coefficient, bool other_side, Interacti
     at.radiance.add_product(assumed, coefficient);
 }
 
-// One ray through the point (x, y) of the square that maps to the hemisphere. False if it was not traced.
-bool Tracer::trace_ambient(const Spectrum& coefficient, bool other_side, double x, double y, Interaction& at,
-                           Spectrum& radiance) {
+// One ray through a point of the unit square that maps to the hemisphere. False if it was not traced.
+bool Tracer::trace_ambient(const Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance) {
     Ray child(at.channels());
-    if (!spawn(child, other_side ? through_ambient : reflected_ambient, at, &coefficient)) return false;
+    if (!spawn(child, half.kind, at, &half.share)) return false;
     ++child.ambient_level;
-    const Vec3 normal = other_side ? -at.normal : at.normal;
-    Vec3 u, v;
-    make_frame(normal, u, v);
     const Vec3 local = cosine_direction(x, y);
-    child.direction = normalize(u * local.x + v * local.y + normal * local.z);
+    child.direction = normalize(half.u * local.x + half.v * local.y + half.normal * local.z);
+    const double height = dot(child.direction, half.surface_normal);
+    if (height < 0) child.direction -= half.surface_normal * (2.0 * height);  // tilted by a texture
     Interaction seen(child);
     trace(seen);
     radiance = seen.radiance * child.coefficient;
@@ -88,54 +98,63 @@ bool Tracer::trace_ambient(const Spectrum& coefficient, bool other_side, double 
 }
 
 // Adds up coefficient times the mean radiance of the hemisphere. False if no ray was heavy enough to be traced.
-bool Tracer::sample_hemisphere(const Spectrum& coefficient, bool other_side, Interaction& at, Spectrum& sum) {
-    const double reflectance = coefficient.maximum();
+bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum) {
+    const double reflectance = half.share.maximum();
     if (reflectance <= tiny) return false;
     // No more rays than leave each of them above -lw
     const double heaviest =
         0.8 * reflectance * at.weight / (settings_.ambient_divisions * settings_.min_weight + 1e-20);
     const double weight = std::fmin(at.weight, heaviest);
-    const int n = std::max(1, static_cast<int>(std::sqrt(settings_.ambient_divisions * weight) + 0.5));
-    const Spectrum share = coefficient * (1.0f / static_cast<float>(n * n));
-    int extra = static_cast<int>(settings_.ambient_super_samples * weight + 0.5);
-    if (extra < 4 * n || n * n <= least_cells_for_extra) extra = 0;
+    half.divisions = std::max(1, static_cast<int>(std::sqrt(settings_.ambient_divisions * weight) + 0.5));
+    const int cell_count = half.divisions * half.divisions;
+    half.share *= 1.0f / static_cast<float>(cell_count);
+    const int extra = static_cast<int>(settings_.ambient_super_samples * weight + 0.5);
+    if (extra >= 4 * half.divisions && cell_count > least_cells_for_extra)
+        return sample_adaptively(half, extra, at, sum);
 
     Spectrum radiance(at.channels());
-    if (!extra) {
-        int traced = 0;
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j) {
-                const double x = (i + random_.uniform()) / n, y = (j + random_.uniform()) / n;
-                if (!trace_ambient(share, other_side, x, y, at, radiance)) continue;
-                sum += radiance;
-                ++traced;
-            }
-        return traced > 0;
-    }
+    int traced = 0;
+    for (int cell = 0; cell < cell_count; ++cell)
+        if (sample_cell(half, cell, at, radiance)) {
+            sum += radiance;
+            ++traced;
+        }
+    return traced > 0;
+}
 
+// One ray through a random place of a cell.
+bool Tracer::sample_cell(const Hemisphere& half, int cell, Interaction& at, Spectrum& radiance) {
+    const int n = half.divisions;
+    const double x = (cell / n + random_.uniform()) / n;
+    const double y = (cell % n + random_.uniform()) / n;
+    return trace_ambient(half, x, y, at, radiance);
+}
+
+// A ray through each cell, then `extra` rays where neighbouring cells differ most.
+bool Tracer::sample_adaptively(const Hemisphere& half, int extra, Interaction& at, Spectrum& sum) {
     const auto level = static_cast<std::size_t>(at.ray->ambient_level);
     if (scratch_->hemispheres.size() <= level) scratch_->hemispheres.resize(level + 1);
     std::vector<HemisphereCell> cells = std::move(scratch_->hemispheres[level]);
-    cells.assign(static_cast<std::size_t>(n * n), HemisphereCell{Spectrum(at.channels())});
+    const int cell_count = half.divisions * half.divisions;
+    cells.assign(static_cast<std::size_t>(cell_count), HemisphereCell{Spectrum(at.channels())});
     int traced = 0;
-    for (int c = 0; c < n * n; ++c) {
+    for (int c = 0; c < cell_count; ++c) {
         HemisphereCell& cell = cells[static_cast<std::size_t>(c)];
-        const double x = (c / n + random_.uniform()) / n, y = (c % n + random_.uniform()) / n;
-        if (!trace_ambient(share, other_side, x, y, at, cell.mean)) continue;
+        if (!sample_cell(half, c, at, cell.mean)) continue;
         cell.brightness = cell.mean.brightness();
         ++traced;
     }
-    if (traced == n * n) {
-        estimate_variances(cells, n, 1.0 / (share.brightness() + tiny));
+    if (traced == cell_count) {
+        estimate_variances(cells, half.divisions, 1.0 / (half.share.brightness() + tiny));
         double remaining = 0;
         for (const HemisphereCell& cell : cells) remaining += cell.variance;
-        for (int c = 0; c < n * n && extra > 0 && remaining > tiny; ++c) {
+        Spectrum radiance(at.channels());
+        for (int c = 0; c < cell_count && extra > 0 && remaining > tiny; ++c) {
             HemisphereCell& cell = cells[static_cast<std::size_t>(c)];
             const int wanted = static_cast<int>(cell.variance / remaining * extra + random_.uniform());
             remaining -= cell.variance;
             for (int k = 1; k <= wanted && extra > 0; ++k, --extra) {
-                const double x = (c / n + random_.uniform()) / n, y = (c % n + random_.uniform()) / n;
-                if (!trace_ambient(share, other_side, x, y, at, radiance)) break;
+                if (!sample_cell(half, c, at, radiance)) break;
                 cell.mean *= static_cast<float>(k) / static_cast<float>(k + 1);
                 cell.mean.add_scaled(radiance, 1.0f / static_cast<float>(k + 1));
             }

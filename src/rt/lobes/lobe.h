@@ -24,6 +24,7 @@ class Lobe {
 
     std::uint16_t kind;    ///< reflected_lobe or through_lobe
     Spectrum coefficient;
+    bool redraws = false;  ///< samples of no weight are replaced until `count` are traced, and divided by all draws
 
     /// f |cos| [1/sr] over `coefficient`, for a light source of solid angle omega [sr] around wi; 0 on the wrong side.
     /// Some models widen the lobe by the source's size, as RADIANCE does; omega = 0 gives the lobe itself.

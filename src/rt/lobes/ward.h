@@ -15,7 +15,8 @@ namespace infra {
 /// What both lobes know of the hit and of the options.
 struct WardSetting {
     Vec3 view_direction;       ///< of the ray, towards the surface
-    Vec3 surface_normal;       ///< facing the viewer
+    Vec3 normal;               ///< with its textures, facing the viewer
+    Vec3 surface_normal;       ///< without: no ray goes below this one
     double alpha_squared;      ///< square of the RMS slope of the facets
     double specular_samples;   ///< -ss
 };
@@ -38,15 +39,16 @@ class WardReflection final : public Lobe {
     /// source_widening: share of a light source's size that a flat, untextured surface adds to the roughness (1 - -dj).
     WardReflection(const Spectrum& coefficient_, const WardSetting& setting, double source_widening)
         : Lobe(reflected_lobe, coefficient_), s_(setting), widening_(source_widening) {
-        make_frame(s_.surface_normal, u_, v_);
+        redraws = true;
+        make_frame(s_.normal, u_, v_);
     }
 
     double eval(const Vec3& wi, double omega) const override {
-        const double cosine = dot(wi, s_.surface_normal);
+        const double cosine = dot(wi, s_.normal);
         if (cosine <= same_place) return 0;
         const double a2 = s_.alpha_squared + widening_ * omega * (0.25 * std::numbers::inv_pi);
         const Vec3 half = wi - s_.view_direction;
-        const double along = dot(half, s_.surface_normal);
+        const double along = dot(half, s_.normal);
         const double along2 = along * along;
         const double size2 = dot(half, half);
         const double density =
@@ -54,17 +56,19 @@ class WardReflection final : public Lobe {
         return density > same_place ? density * cosine : 0;
     }
 
+    /// A single sample is drawn again when it falls below the surface and weighs 1: it keeps all energy. One of several
+    /// is weighted for the reflectance that eval() has, which falls towards grazing. (Both as in RADIANCE 6.1.)
     LobeDraw sample(RandomStream& random, int count) const override {
         for (int attempt = 0; attempt < 10; ++attempt) {
             const double angle = 2 * std::numbers::pi * random.uniform();
             const double slope = ward_slope(s_, random.uniform());
-            const Vec3 half = s_.surface_normal + (u_ * std::cos(angle) + v_ * std::sin(angle)) * slope;
+            const Vec3 half = s_.normal + (u_ * std::cos(angle) + v_ * std::sin(angle)) * slope;
             const double reach = -2.0 * dot(half, s_.view_direction) / (1.0 + slope * slope);
             const Vec3 wi = normalize(s_.view_direction + half * reach);
             const double cosine = dot(wi, s_.surface_normal);
-            if (cosine <= same_place) continue;  // below the surface: draw again, so that no energy is lost
             const double cosine_out = -dot(s_.view_direction, s_.surface_normal);
-            return {wi, count > 1 ? 2.0 / (1.0 + cosine_out / cosine) : 1.0};
+            if (count > 1) return {wi, cosine > same_place ? 2.0 / (1.0 + cosine_out / cosine) : 0.0};
+            if (cosine > same_place) return {wi, 1.0};
         }
         return {};
     }
@@ -73,7 +77,7 @@ class WardReflection final : public Lobe {
     double pdf(const Vec3& wi) const override {
         if (dot(wi, s_.surface_normal) <= same_place) return 0;
         const Vec3 half = normalize(wi - s_.view_direction);
-        const double c = dot(half, s_.surface_normal);
+        const double c = dot(half, s_.normal);
         const double tangent2 = (1.0 - c * c) / (c * c);
         return std::exp(-tangent2 / s_.alpha_squared) /
                (4.0 * std::numbers::pi * s_.alpha_squared * c * c * c * -dot(half, s_.view_direction));
@@ -87,21 +91,21 @@ class WardReflection final : public Lobe {
     Vec3 u_, v_;
 };
 
-/// Straight on with a Gaussian spread.
+/// Straight on with a Gaussian spread; a texture bends it.
 class WardTransmission final : public Lobe {
   public:
-    WardTransmission(const Spectrum& coefficient_, const WardSetting& setting)
-        : Lobe(through_lobe, coefficient_), s_(setting) {
-        make_frame(s_.surface_normal, u_, v_);
+    WardTransmission(const Spectrum& coefficient_, const WardSetting& setting, const Vec3& straight)
+        : Lobe(through_lobe, coefficient_), s_(setting), straight_(straight) {
+        make_frame(s_.normal, u_, v_);
     }
 
     double eval(const Vec3& wi, double omega) const override {
-        const double cosine = dot(wi, s_.surface_normal);
+        const double cosine = dot(wi, s_.normal);
         if (cosine >= -same_place) return 0;
         const double a2 = s_.alpha_squared + omega * std::numbers::inv_pi;
         const double density =
-            std::exp(2.0 * (dot(s_.view_direction, wi) - 1.0) / a2) / (std::numbers::pi * a2);
-        const double cosine_out = -dot(s_.view_direction, s_.surface_normal);
+            std::exp(2.0 * (dot(straight_, wi) - 1.0) / a2) / (std::numbers::pi * a2);
+        const double cosine_out = -dot(s_.view_direction, s_.normal);
         return density > same_place ? density * std::sqrt(-cosine / std::max(cosine_out, 0.001)) : 0;
     }
 
@@ -110,7 +114,7 @@ class WardTransmission final : public Lobe {
             const double angle = 2 * std::numbers::pi * random.uniform();
             const double slope = ward_slope(s_, random.uniform());
             const Vec3 wi =
-                normalize(s_.view_direction + (u_ * std::cos(angle) + v_ * std::sin(angle)) * slope);
+                normalize(straight_ + (u_ * std::cos(angle) + v_ * std::sin(angle)) * slope);
             if (dot(wi, s_.surface_normal) < -same_place) return {wi, 1.0};
         }
         return {};
@@ -118,11 +122,12 @@ class WardTransmission final : public Lobe {
 
     /// The displacement lies in the surface's plane: density of the slope times the change from slope to direction.
     double pdf(const Vec3& wi) const override {
-        const double cosine = -dot(wi, s_.surface_normal);
-        const double cosine_out = -dot(s_.view_direction, s_.surface_normal);
+        if (dot(wi, s_.surface_normal) >= -same_place) return 0;
+        const double cosine = -dot(wi, s_.normal);
+        const double cosine_out = -dot(straight_, s_.normal);
         if (cosine <= same_place || cosine_out <= same_place) return 0;
         const double stretch = cosine_out / cosine;  // wi * stretch has the displacement's normal component
-        const Vec3 displacement = wi * stretch - s_.view_direction;
+        const Vec3 displacement = wi * stretch - straight_;
         const double slope2 = dot(displacement, displacement);
         return std::exp(-slope2 / s_.alpha_squared) / (std::numbers::pi * s_.alpha_squared) * stretch * stretch /
                cosine;
@@ -132,7 +137,7 @@ class WardTransmission final : public Lobe {
 
   private:
     WardSetting s_;
-    Vec3 u_, v_;
+    Vec3 straight_, u_, v_;
 };
 
 }  // namespace infra

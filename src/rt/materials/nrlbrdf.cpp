@@ -35,9 +35,9 @@ class TableMaterial final : public SurfaceMaterial {
         const BrdfTable& table = sampler_.table();
         out.diffuse = color * static_cast<float>(table.diffuse_reflectance());
         out.ambient = out.diffuse;
-        const double albedo = table.lobe_reflectance_dh(at.cosine);
+        const double albedo = table.lobe_reflectance_dh(-dot(out.normal, at.ray->direction));
         if (albedo > 0)
-            out.add_lobe<TableLobe>(true, color, albedo, sampler_, at.normal, -at.ray->direction, samples_);
+            out.add_lobe<TableLobe>(true, color, albedo, sampler_, out.normal, -at.ray->direction, samples_);
     }
 
   private:

@@ -7,7 +7,7 @@ namespace infra {
 
 double fresnel_approximation(double c) { return std::exp(-5.85 * c) - 0.00287989916; }
 
-void Scattering::eval(const Vec3& normal, const Vec3& wi, double omega, Spectrum& result) const {
+void Scattering::eval(const Vec3& wi, double omega, Spectrum& result) const {
     result.clear();
     const double cosine = dot(normal, wi);
     const Spectrum& lambertian = cosine >= 0 ? diffuse : diffuse_through;

@@ -17,8 +17,9 @@ double fresnel_approximation(double c);
 
 class Scattering {
   public:
-    explicit Scattering(int channels)
-        : mirror_coefficient(channels),
+    Scattering(const Vec3& shading_normal, int channels)
+        : normal(shading_normal),
+          mirror_coefficient(channels),
           through_coefficient(channels),
           diffuse(channels),
           diffuse_through(channels),
@@ -27,6 +28,8 @@ class Scattering {
     Scattering(const Scattering&) = delete;
     Scattering& operator=(const Scattering&) = delete;
 
+    Vec3 normal;                       ///< with its textures, facing the viewer
+
     // Perfect specular rays
     bool has_mirror = false;
     bool has_through = false;
@@ -34,8 +37,8 @@ class Scattering {
     Vec3 mirror_direction{0};
     Spectrum through_coefficient;
     Vec3 through_direction{0};
-    double through_fraction = 0;       ///< tells whether what is behind dominates the apparent distance
-    double through_rest = 1;           ///< the diffuse share it competes with
+    bool as_clear_as_air = false;      ///< what lies behind is all that is seen, mirror images included
+    bool seen_through = false;         ///< the apparent distance is that of what lies behind
 
     // Lambertian parts, as reflectance
     Spectrum diffuse;
@@ -52,7 +55,7 @@ class Scattering {
 
     /// True when nothing but mirror and through rays is left.
     bool pure_specular = false;
-    bool flat_mirror = false;          ///< a mirror image at its true distance counts for ambient rays too
+    bool image_behind = false;         ///< a mirror image is seen at its own distance, not at the surface's
 
     template <class L, class... Args>
     void add_lobe(bool sampled, Args&&... args) {
@@ -63,8 +66,8 @@ class Scattering {
     }
 
     /// Reflected radiance per incident radiance and solid angle, f |cos| [1/sr], for a source of size omega [sr] around
-    /// wi: Lambertian parts and lobes, not the mirror. `normal` faces the viewer.
-    void eval(const Vec3& normal, const Vec3& wi, double omega, Spectrum& result) const;
+    /// wi: Lambertian parts and lobes, not the mirror.
+    void eval(const Vec3& wi, double omega, Spectrum& result) const;
 
   private:
     static constexpr std::size_t slot_size = 384;

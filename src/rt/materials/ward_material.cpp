@@ -10,11 +10,20 @@ namespace {
 constexpr double tiny = 1e-6;
 constexpr double fresnel_threshold = 0.017999;  // smooth surfaces of less specularity show no Fresnel reflection
 
+/// Straight on, but for a texture, which makes the sheet wavy for rays from the eye.
+Vec3 bent_direction(const Interaction& at, bool shadow) {
+    const Vec3& straight = at.ray->direction;
+    if (!at.textured() || shadow || at.ray->is(ambient_rays)) return straight;
+    const Vec3 bent = straight - at.perturbation;
+    return dot(bent, at.normal) < -tiny ? normalize(bent) : straight;
+}
+
 }  // namespace
 
 void WardMaterial::scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings, bool shadow,
                            Scattering& out) const {
-    const double cosine = std::max(at.cosine, 0.001);
+    const bool textured = at.textured();
+    const double cosine = std::max(-dot(out.normal, at.ray->direction), 0.001);
     const bool smooth = p_.roughness * p_.roughness <= tiny;
     const Spectrum color = p_.color * at.pattern;
 
@@ -32,9 +41,9 @@ void WardMaterial::scatter(const Interaction& at, bool flat_surface, const Rende
     if (straight > tiny && smooth) {
         out.has_through = true;
         out.through_coefficient = color * static_cast<float>(straight);
-        out.through_direction = at.ray->direction;
-        out.through_fraction = straight;
-        out.through_rest = diffuse_through + diffuse;
+        out.through_direction = bent_direction(at, shadow);
+        out.as_clear_as_air = straight >= 1.0 - tiny;
+        out.seen_through = straight > diffuse_through + diffuse;
     }
     if (shadow) return;
 
@@ -49,8 +58,10 @@ void WardMaterial::scatter(const Interaction& at, bool flat_surface, const Rende
     if (reflects && smooth) {
         out.has_mirror = true;
         out.mirror_coefficient = specular_color;
-        out.mirror_direction = at.ray->direction + at.normal * (2.0 * cosine);
-        out.flat_mirror = flat_surface;
+        out.mirror_direction = at.ray->direction + out.normal * (2.0 * cosine);
+        if (textured && dot(out.mirror_direction, at.normal) <= tiny)  // a strong texture must not mirror inwards
+            out.mirror_direction = at.ray->direction + at.normal * (2.0 * at.cosine);
+        out.image_behind = flat_surface && !textured && at.ray->is(ambient_rays);
     }
     if (smooth && diffuse <= tiny && diffuse_through <= tiny) {
         out.pure_specular = true;
@@ -59,13 +70,14 @@ void WardMaterial::scatter(const Interaction& at, bool flat_surface, const Rende
 
     // Lobes: evaluated for light sources always, sampled above the threshold
     if (!smooth) {
-        const WardSetting setting{at.ray->direction, at.normal, p_.roughness * p_.roughness,
+        const WardSetting setting{at.ray->direction, out.normal, at.normal, p_.roughness * p_.roughness,
                                   settings.specular_samples};
         if (reflects)
             out.add_lobe<WardReflection>(reflection_sampled, specular_color, setting,
-                                         flat_surface ? 1.0 - settings.source_jitter : 0.0);
+                                         flat_surface && !textured ? 1.0 - settings.source_jitter : 0.0);
         if (straight > tiny)
-            out.add_lobe<WardTransmission>(straight_sampled, color * static_cast<float>(straight), setting);
+            out.add_lobe<WardTransmission>(straight_sampled, color * static_cast<float>(straight), setting,
+                                           bent_direction(at, shadow));
     }
 
     // Lambertian parts; a lobe that is not sampled joins them in the indirect calculation

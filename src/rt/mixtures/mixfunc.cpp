@@ -22,8 +22,9 @@ class MixFunc final : public Modifier {
           traits_{.name = context.name(), .is_mixture = true},
           foreground_(context.modifier_named(context.strings()[0])),
           background_(context.modifier_named(context.strings()[1])),
-          share_(context, 2, 1, 3) {
-        if (context.next && (material_of(foreground_) || material_of(background_)))
+          share_(context, 2, 1, 3),
+          mixes_materials_(material_of(foreground_) || material_of(background_)) {
+        if (context.next && mixes_materials_)
             throw context.error("inappropriate modifier on a mixture of materials", "modify the materials instead");
     }
 
@@ -33,13 +34,14 @@ class MixFunc final : public Modifier {
         return shade_mixture(tracer, at, foreground_, background_, std::clamp(share, 0.0, 1.0));
     }
 
-    const MaterialTraits* traits() const override { return next() ? nullptr : &traits_; }
+    const MaterialTraits* traits() const override { return mixes_materials_ ? &traits_ : nullptr; }
 
   private:
     MaterialTraits traits_;
     const Modifier* foreground_;
     const Modifier* background_;
     FunctionSet share_;
+    bool mixes_materials_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@ constexpr double negligible = 1e-6;  // a share below it is not traced
 bool shade_part(Tracer& tracer, Interaction& part, const Modifier* chain, double share) {
     if (share <= negligible) return false;
     part.weight *= share;
+    part.share *= share;
     return tracer.shade_chain(chain, part);
 }
 
@@ -29,6 +30,7 @@ bool shade_mixture(Tracer& tracer, Interaction& at, const Modifier* foreground, 
     if (fore_material && !back_material && 1.0 - share > negligible) tracer.pass_through(back);
 
     mix(at.pattern, fore.pattern, share, back.pattern);
+    at.perturbation = fore.perturbation * share + back.perturbation * (1.0 - share);
     if (!fore_material && !back_material) return false;
 
     mix(at.radiance, fore.radiance, share, back.radiance);

@@ -10,7 +10,8 @@ namespace {
 /// Share of the primary ray's radiance that this ray's makes up, as a factor for each channel.
 Spectrum contribution(const Interaction& at) {
     Spectrum product(at.channels(), 1.0f);
-    for (const Interaction* link = &at; link; link = link->ray->parent) product *= link->ray->coefficient;
+    for (const Interaction* link = &at; link; link = link->ray->parent)
+        product *= link->ray->coefficient * static_cast<float>(link->share);
     return product;
 }
 
@@ -60,7 +61,7 @@ constexpr OutputLetter letters[] = {
      }},
     {'p', "point", 3, false, [](const Scene&, const Hit& at, Out& out) { out.vector(at.point); }},
     {'n', "normal", 3, true,
-     [](const Scene&, const Hit& at, Out& out) { out.vector(at.hit() ? at.normal : Vec3{0}); }},
+     [](const Scene&, const Hit& at, Out& out) { out.vector(at.hit() ? at.perturbed_normal() : Vec3{0}); }},
     {'N', "unperturbed_normal", 3, false,
      [](const Scene&, const Hit& at, Out& out) { out.vector(normal_as_defined(at)); }},
     {'s', "surface", 1, false,

@@ -1,9 +1,13 @@
 #include "rt/programs/rpict_options.h"
 
+#include "common/format.h"
 #include "common/view_options.h"
 
 namespace infra {
 namespace {
+
+/// RADIANCE puts two blanks after these spellings.
+std::string spread(const char* spelling, int value) { return formatted("%s  %-9d", spelling, value); }
 
 void add_pixel_rows(OptionTable& table, RpictOptions& options) {
     const std::string color = "only RGB pictures are built yet";
@@ -36,13 +40,20 @@ void add_output_rows(OptionTable& table, RpictOptions& options) {
 }  // namespace
 
 OptionTable rpict_option_table(RpictOptions& options) {
+    const RpictOptions* const o = &options;
     OptionTable table("rpict", "[octree]");
     table.read_environment("RENDER_OPTIONS");
     add_view_options(table, options.view);
-    table.integer("-x", &options.width, "x resolution").at_least(1);
-    table.integer("-y", &options.height, "y resolution").at_least(1);
+    table.integer("-x", &options.width, "x resolution").at_least(1).shown([o] {
+        return spread("-x", o->width);
+    });
+    table.integer("-y", &options.height, "y resolution").at_least(1).shown([o] {
+        return spread("-y", o->height);
+    });
     add_pixel_rows(table, options);
-    table.integer("-t", &options.report_seconds, "time between reports");
+    table.integer("-t", &options.report_seconds, "time between reports").shown([o] {
+        return spread("-t", o->report_seconds);
+    });
     add_warning_option(table, options.render);
     add_render_options(table, options.render);
     table.integer("-n", &options.threads, "number of threads, 0: all cores").at_least(0);

@@ -63,15 +63,20 @@ struct Polygon {
             offer_hit(state, ranks, t, cosine > 0, surface, shape);
     }
 
-    /// Even-odd rule over the outline.
+    /// Even-odd rule over the outline; the outline itself, within `same_place`, belongs to the polygon.
     bool contains(double x, double y) const {
         bool inside = false;
         const double* previous = corners + 2 * (corner_count - 1);
         for (const double* corner = corners; corner != corners + 2 * corner_count; previous = corner, corner += 2) {
-            if ((corner[1] > y) == (previous[1] > y)) continue;
-            const double crossing =
-                (previous[0] - corner[0]) * (y - corner[1]) / (previous[1] - corner[1]) + corner[0];
-            if (x < crossing) inside = !inside;
+            const double dx = previous[0] - corner[0], dy = previous[1] - corner[1];
+            const double px = x - corner[0], py = y - corner[1];
+            const double side = dx * py - dy * px;
+            const double size2 = dx * dx + dy * dy;
+            if (side * side <= same_place * same_place * size2) {  // on the edge's line
+                const double along = dx * px + dy * py;
+                if (along >= 0 && along <= size2) return true;
+            }
+            if ((py < 0) != (y < previous[1]) && (side > 0) == (dy > 0)) inside = !inside;
         }
         return inside;
     }

@@ -2,7 +2,7 @@
 // the rest estimated.
 //
 // source: Ward, "Adaptive Shadow Testing for Ray Tracing" (1991), for -dt and -dc; part sizes and sample places as measured
-// from RADIANCE 6.1. The visibility of untested sources is estimated from the tested ones of the same point, not from
+// from RADIANCE 6.1. The visibility of untested sources is estimated from a few of them at the same point, not from
 // statistics over past rays, so that a picture does not depend on the order of its pixels.
 #include <algorithm>
 #include <cmath>
@@ -123,23 +123,29 @@ void Tracer::add_direct(const Scattering& scattering, Interaction& at) {
     float sum = 0;
     for (std::size_t i = count; i-- > 0;) tail[i] = sum += all[order[i]].brightness;
 
-    const auto group =
-        static_cast<std::size_t>(std::pow(static_cast<double>(count), settings_.shadow_certainty) + 0.5);
+    const auto group = std::max<std::size_t>(
+        1, static_cast<std::size_t>(std::pow(static_cast<double>(count), settings_.shadow_certainty) + 0.5));
     const double threshold = settings_.shadow_threshold / at.weight;
     constexpr std::size_t always_tested = 2;
-    double tested = 0, visible = 0;
-    std::size_t i = 0;
-    for (; i < count; ++i) {
+    std::size_t first_untested = count;
+    for (std::size_t i = 0; i < count; ++i) {
         const float at_stake = i + group >= count ? tail[i] : tail[i] - tail[i + group];
-        if (i >= always_tested && at_stake < threshold * at.radiance.brightness()) break;
+        if (i >= always_tested && at_stake < threshold * at.radiance.brightness()) {
+            first_untested = i;
+            break;
+        }
+        Contribution& contribution = all[order[i]];
+        if (test_shadow(contribution, at)) at.radiance += contribution.value;
+    }
+    // Of what is left one in each group is tested, and speaks for all.
+    double tested = 0, visible = 0;
+    for (std::size_t i = first_untested; i < count; i += group) {
         Contribution& contribution = all[order[i]];
         tested += contribution.brightness;
-        if (!test_shadow(contribution, at)) continue;
-        visible += contribution.brightness;
-        at.radiance += contribution.value;
+        if (test_shadow(contribution, at)) visible += contribution.brightness;
     }
-    const double chance = tested > 0 ? visible / tested : 0.5;
-    for (; i < count; ++i) at.radiance.add_scaled(all[order[i]].value, static_cast<float>(chance));
+    const auto chance = static_cast<float>(tested > 0 ? visible / tested : 0.0);
+    for (std::size_t i = first_untested; i < count; ++i) at.radiance.add_scaled(all[order[i]].value, chance);
 }
 
 void Tracer::consider_source(int number, const Scattering& scattering, const Interaction& at) {
@@ -200,7 +206,7 @@ void Tracer::add_sample(int number, const Scattering& scattering, const Interact
         }
     }
     Contribution contribution{number, direction, infinite_distance, Spectrum(at.channels()), Spectrum(at.channels()), 0};
-    scattering.eval(at.normal, direction, omega, contribution.coefficient);
+    scattering.eval(direction, omega, contribution.coefficient);
     contribution.coefficient *= static_cast<float>(omega);
     if (contribution.coefficient.maximum() <= 0 || !source_value(contribution, at)) return;
     scratch_->contributions.push_back(contribution);
