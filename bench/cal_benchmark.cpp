@@ -1,5 +1,5 @@
-// The 210-sample sky of lib/skyfuncs/hemisky.cal, evaluated once for each of many rays, against the same formula
-// written in C++. The bar is a ratio of 2.
+// The 210-sample sky of lib/skyfuncs/hemisky.cal, evaluated once for each of many rays, against the same
+// formula written in C++. The bar is a ratio of 2.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -21,7 +21,8 @@ std::vector<infra::Vec3> random_directions() {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
     std::vector<infra::Vec3> directions(ray_count);
-    for (auto& direction : directions) direction = infra::normalize({normal(random), normal(random), normal(random)});
+    for (auto& direction : directions)
+        direction = infra::normalize({normal(random), normal(random), normal(random)});
     return directions;
 }
 
@@ -34,9 +35,9 @@ std::array<double, 210> samples() {
 [[gnu::noinline]] double handwritten_sky(const infra::Vec3& d, const std::array<double, 210>& values) {
     const double row = std::clamp(std::acos(std::clamp(d.y, -1., 1.)) * (18 / std::numbers::pi), 0., 9.);
     const double row0 = std::min(std::floor(row), 8.);
-    const double turn = d.x * d.x + d.z * d.z > 0 ? std::atan2(d.z, d.x) * (10 / std::numbers::pi) : 0;
-    const double column = turn < 0 ? turn + 20 : turn;
-    const double column0 = std::min(std::floor(column), 19.);
+    const double turn = d.x * d.x + d.z * d.z > 0 ? std::atan2(-d.z, -d.x) : 0;
+    const double column = turn * (10 / std::numbers::pi) + 10;
+    const double column0 = std::clamp(std::floor(column), 0., 19.);
     const auto first = static_cast<std::size_t>(10 * column0 + row0);
     const double down = row - row0, round = column - column0;
     const auto along = [&](std::size_t i) { return (1 - down) * values[i] + down * values[i + 1]; };

@@ -4,8 +4,10 @@
 
 namespace infra::cal {
 
-Analysis::Analysis(const Lowering& lowered) : graph_(lowered.graph()), uses_(graph_.size()), depths_(graph_.size(), 1) {
-    for (const Instance& instance : lowered.instances()) delayed_.emplace_back(instance.parameter_count, false);
+Analysis::Analysis(const Lowering& lowered)
+    : graph_(lowered.graph()), uses_(graph_.size()), depths_(graph_.size(), 1) {
+    for (const Instance& instance : lowered.instances())
+        delayed_.emplace_back(instance.parameter_count, false);
     std::vector<VertexId> calls;
     for (VertexId id = 0; id < graph_.size(); ++id) {
         for (const VertexId input : graph_[id].inputs) {  // inputs are made before what needs them
@@ -33,7 +35,8 @@ bool Analysis::is_safe(VertexId id) const {
     const Vertex& vertex = graph_[id];
     if (vertex.cost > costly) return false;
     switch (vertex.op) {
-        case Op::parameter: return !delayed_[vertex.scope][vertex.data];
+        case Op::parameter:
+            return !delayed_[vertex.scope][vertex.data];
         case Op::divide: {
             const Vertex& divisor = graph_[vertex.inputs[1]];
             if (divisor.op != Op::constant || divisor.number == 0) return false;
@@ -46,13 +49,17 @@ bool Analysis::is_safe(VertexId id) const {
         case Op::builtin:
         case Op::select:
         case Op::call:
-        case Op::fail: return false;
-        default: break;
+        case Op::fail:
+            return false;
+        default:
+            break;
     }
-    return std::all_of(vertex.inputs.begin(), vertex.inputs.end(), [this](VertexId input) { return is_safe(input); });
+    return std::all_of(vertex.inputs.begin(), vertex.inputs.end(),
+                       [this](VertexId input) { return is_safe(input); });
 }
 
-void Analysis::collect_needed(VertexId id, std::unordered_set<VertexId>& seen, std::vector<VertexId>& order) const {
+void Analysis::collect_needed(VertexId id, std::unordered_set<VertexId>& seen,
+                              std::vector<VertexId>& order) const {
     const Vertex& vertex = graph_[id];
     if (vertex.cost == 0 || !seen.insert(id).second) return;
     std::size_t certain = vertex.inputs.size();

@@ -13,9 +13,11 @@ class Analysis {
   public:
     explicit Analysis(const Lowering& lowered);
 
-    /// Whether a parameter may have to be passed as a delayed value, because computing an argument that is not
-    /// needed after all could fail, go on for ever or take long.
-    bool is_delayed(std::uint32_t instance, std::uint32_t parameter) const { return delayed_[instance][parameter]; }
+    /// Whether a parameter may have to be passed as a delayed value, because computing an argument that is
+    /// not needed after all could fail, go on for ever or take long.
+    bool is_delayed(std::uint32_t instance, std::uint32_t parameter) const {
+        return delayed_[instance][parameter];
+    }
 
     /// How often a vertex is an input of another.
     std::uint32_t uses(VertexId id) const { return uses_[id]; }

@@ -7,11 +7,12 @@
 
 namespace infra::cal {
 
-/// A function of already evaluated arguments. A result that is NaN or infinite is a domain error and becomes 0.
+/// A function of already evaluated arguments. A result that is NaN or infinite is a domain error and becomes
+/// 0.
 struct Builtin {
     const char* name;
-    int arity;                                             ///< arguments needed; more are ignored
-    bool pure;                                             ///< depends on its arguments alone, so it may be folded
+    int arity;  ///< arguments needed; more are ignored
+    bool pure;  ///< depends on its arguments alone, so it may be folded
     double (*call)(const double* arguments, const Host&);  ///< arguments[0 .. arity)
 };
 

@@ -1,8 +1,9 @@
 // The machine code that expressions compile to. Instructions work on registers: doubles in one array.
 //
-// Register file of an Evaluator: the constants, then the temporaries of the roots (which share their place, as they
-// never run inside each other), then those of each cell, then the call stack with a frame for each running instance.
-// An instance's registers count from its frame, those of roots and cells from the start of the file.
+// Register file of an Evaluator: the constants, then the temporaries of the roots (which share their place,
+// as they never run inside each other), then those of each cell, then the call stack with a frame for each
+// running instance. An instance's registers count from its frame, those of roots and cells from the start of
+// the file.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +17,23 @@
 namespace infra::cal {
 
 enum class Opcode : std::uint8_t {
-    move,                  ///< dst = a
-    channel,               ///< dst = $data
-    argument,              ///< dst = arg(a)
-    argument_constant,     ///< dst = real argument number data, from 0
-    argument_affine,       ///< dst = arg(k0 + k1*a + k2*b), the k in three registers from c on
-    negate,                ///< dst = -a
-    add,                   ///< dst = a + b
-    subtract,              ///< dst = a - b
-    multiply,              ///< dst = a * b
-    divide,                ///< dst = a / b, 0 if b is 0
-    power,                 ///< dst = a ^ b
-    minimum,               ///< dst = min(a, b)
-    maximum,               ///< dst = max(a, b)
-    clamp,                 ///< dst = max(min(a, c), b)
-    multiply_add,          ///< dst = a * b + c
-    interpolate,           ///< dst = (1 - a) * b + a * c
-    square_root,           ///< dst = sqrt(a), and so on
+    move,               ///< dst = a
+    channel,            ///< dst = $data
+    argument,           ///< dst = arg(a)
+    argument_constant,  ///< dst = real argument number data, from 0
+    argument_affine,    ///< dst = arg(k0 + k1*a + k2*b), the k in three registers from c on
+    negate,             ///< dst = -a
+    add,                ///< dst = a + b
+    subtract,           ///< dst = a - b
+    multiply,           ///< dst = a * b
+    divide,             ///< dst = a / b, 0 if b is 0
+    power,              ///< dst = a ^ b
+    minimum,            ///< dst = min(a, b)
+    maximum,            ///< dst = max(a, b)
+    clamp,              ///< dst = max(min(a, c), b)
+    multiply_add,       ///< dst = a * b + c
+    interpolate,        ///< dst = (1 - a) * b + a * c
+    square_root,        ///< dst = sqrt(a), and so on
     floor,
     ceiling,
     sine,
@@ -46,25 +47,27 @@ enum class Opcode : std::uint8_t {
     jump,                  ///< to data
     jump_unless_positive,  ///< to data unless a > 0
     jump_unless_greater,   ///< to data unless a > b
-    jump_selected,         ///< to where the table at `data` says: count, then targets if outside, for 0, 1, ...
-    load_cell,             ///< dst = cell number data, computed if it is stale
-    call,                  ///< dst = instance number data, its parameters in the registers from a on
-    delay,                 ///< dst, dst+1, dst+2 = a value to be computed by the code at data when it is forced
-    force,                 ///< computes the delayed value in a, a+1, a+2, unless that has been done
-    finish,                ///< ends the body with the value a
-    fail,                  ///< throws error number data
+    jump_selected,  ///< to where the table at `data` says: count, then targets if outside, for 0, 1, ...
+    load_cell,      ///< dst = cell number data, computed if it is stale
+    call,           ///< dst = instance number data, its parameters in the registers from a on
+    delay,          ///< dst, dst+1, dst+2 = a value to be computed by the code at data when it is forced
+    force,          ///< computes the delayed value in a, a+1, a+2, unless that has been done
+    finish,         ///< ends the body with the value a
+    fail,           ///< throws error number data
 };
 
 struct Instruction;
 struct Machine;
 
-/// Carries out an instruction and all that follow it, up to `finish`. `last` is what the one before it computed.
+/// Carries out an instruction and all that follow it, up to `finish`. `last` is what the one before it
+/// computed.
 using Execute = double (*)(const Instruction*, double* registers, Machine&, double last);
 
 struct Instruction {
     Execute execute = nullptr;
     Opcode opcode = Opcode::fail;
-    std::uint8_t last_operand = 0;  ///< which of a, b, c (1 to 3) is what the instruction before computed; 0: none
+    std::uint8_t last_operand =
+        0;  ///< which of a, b, c (1 to 3) is what the instruction before computed; 0: none
     std::uint32_t dst = 0;
     std::uint32_t a = 0;
     std::uint32_t b = 0;
@@ -78,7 +81,7 @@ struct InstanceCode {
     std::uint32_t entry = 0;            ///< first instruction
     std::uint32_t parameter_slots = 0;  ///< registers that the parameters take: one, or three if delayed
     std::uint32_t frame_size = 0;
-    std::vector<bool> delayed;        ///< for each parameter
+    std::vector<bool> delayed;  ///< for each parameter
     std::vector<double> constants;
 };
 

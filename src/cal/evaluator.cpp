@@ -14,6 +14,12 @@ Evaluator::Evaluator(Program program) : program_(std::move(program)) {
     cell_stamps_.resize(code.cells.size());
 }
 
+std::string Evaluator::last_fault() const {
+    const std::string fault = last_fault_;
+    const bool is_function = !fault.empty() && fault.find(' ') == std::string::npos;
+    return is_function ? fault + "(): domain error" : fault;
+}
+
 double Evaluator::evaluate(ExprId expression, std::span<const double> arguments, const Host& host) {
     const Code& code = program_.code();
     if (expression.index >= code.roots.size())

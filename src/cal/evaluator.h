@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "cal/host.h"
@@ -15,7 +15,8 @@ class Evaluator {
   public:
     explicit Evaluator(Program program);
 
-    /// Forgets cached values: call it whenever the ray, the record or the primitive (the host's answers) changes.
+    /// Forgets cached values: call it whenever the ray, the record or the primitive (the host's answers)
+    /// changes.
     void next_clock() { ++clock_; }
 
     /// Value of an expression. A domain error or a division by zero gives 0 and is counted, as in RADIANCE.
@@ -25,20 +26,21 @@ class Evaluator {
     /// Value of a function compiled with Library::compile_function, called with that many arguments.
     double evaluate(ExprId function, std::span<const double> arguments, const Host& host);
 
-    /// Domain errors since construction, and what the last one was, such as "sqrt(): domain error" ("" if none).
+    /// Domain errors since construction, and what the last one was, such as "sqrt(): domain error" ("" if
+    /// none).
     std::uint64_t fault_count() const { return fault_count_; }
-    std::string_view last_fault() const { return last_fault_; }
+    std::string last_fault() const;
 
   private:
     friend struct Machine;
 
     Program program_;
-    std::vector<double> registers_;           ///< constants, then a static region for each body, then the call stack
-    std::vector<double> cell_values_;         ///< cached values shared between expressions
+    std::vector<double> registers_;    ///< constants, then a static region for each body, then the call stack
+    std::vector<double> cell_values_;  ///< cached values shared between expressions
     std::vector<std::uint64_t> cell_stamps_;  ///< the clock at which each was computed
     std::uint64_t clock_ = 1;
     std::uint64_t fault_count_ = 0;
-    std::string_view last_fault_;
+    const char* last_fault_ = "";  ///< name of a function, or a text with blanks
 };
 
 }  // namespace infra::cal

@@ -9,28 +9,45 @@
 namespace infra::cal {
 namespace {
 
-constexpr int worth_a_home = 4;  // cost below which a vertex is rather computed again
+constexpr int worth_a_home = 4;   // cost below which a vertex is rather computed again
 constexpr int choice_budget = 6;  // cost up to which both branches of an if are computed instead of jumping
 
 Opcode opcode_of(Op op) {
     switch (op) {
-        case Op::negate: return Opcode::negate;
-        case Op::add: return Opcode::add;
-        case Op::subtract: return Opcode::subtract;
-        case Op::multiply: return Opcode::multiply;
-        case Op::divide: return Opcode::divide;
-        case Op::power: return Opcode::power;
-        case Op::minimum: return Opcode::minimum;
-        case Op::maximum: return Opcode::maximum;
-        case Op::square_root: return Opcode::square_root;
-        case Op::floor: return Opcode::floor;
-        case Op::ceiling: return Opcode::ceiling;
-        case Op::sine: return Opcode::sine;
-        case Op::cosine: return Opcode::cosine;
-        case Op::arc_cosine: return Opcode::arc_cosine;
-        case Op::arc_tangent2: return Opcode::arc_tangent2;
-        case Op::arc_tangent2_or_zero: return Opcode::arc_tangent2_or_zero;
-        default: return Opcode::fail;
+        case Op::negate:
+            return Opcode::negate;
+        case Op::add:
+            return Opcode::add;
+        case Op::subtract:
+            return Opcode::subtract;
+        case Op::multiply:
+            return Opcode::multiply;
+        case Op::divide:
+            return Opcode::divide;
+        case Op::power:
+            return Opcode::power;
+        case Op::minimum:
+            return Opcode::minimum;
+        case Op::maximum:
+            return Opcode::maximum;
+        case Op::square_root:
+            return Opcode::square_root;
+        case Op::floor:
+            return Opcode::floor;
+        case Op::ceiling:
+            return Opcode::ceiling;
+        case Op::sine:
+            return Opcode::sine;
+        case Op::cosine:
+            return Opcode::cosine;
+        case Op::arc_cosine:
+            return Opcode::arc_cosine;
+        case Op::arc_tangent2:
+            return Opcode::arc_tangent2;
+        case Op::arc_tangent2_or_zero:
+            return Opcode::arc_tangent2_or_zero;
+        default:
+            return Opcode::fail;
     }
 }
 
@@ -149,7 +166,8 @@ Generator::Register Generator::new_registers(Register count) {
 
 Generator::Register Generator::constant(double value) {
     const auto number = static_cast<Register>(constants_->size());
-    const auto [found, is_new] = constant_index_.try_emplace({constants_, std::bit_cast<std::uint64_t>(value)}, number);
+    const auto [found, is_new] =
+        constant_index_.try_emplace({constants_, std::bit_cast<std::uint64_t>(value)}, number);
     if (is_new) constants_->push_back(value);
     return constant_flag | found->second;
 }
@@ -171,7 +189,8 @@ void Generator::forget_back_to(std::size_t mark) {
     for (; trail_.size() > mark; trail_.pop_back()) available_[trail_.back()] = unused;
 }
 
-std::uint32_t Generator::add(Opcode opcode, Register dst, Register a, Register b, Register c, std::uint32_t data) {
+std::uint32_t Generator::add(Opcode opcode, Register dst, Register a, Register b, Register c,
+                             std::uint32_t data) {
     code_.instructions.push_back({nullptr, opcode, 0, dst, a, b, c, data});
     return here() - 1;
 }
@@ -181,7 +200,8 @@ void Generator::emit_move(Register dst, Register from) { add(Opcode::move, dst, 
 void Generator::place(const Body& body, Register base) {
     const bool in_frame = body.instance != no_instance;
     const Register parameters = in_frame ? code_.instances[body.instance].parameter_slots : 0;
-    const Register constants = in_frame ? static_cast<Register>(code_.instances[body.instance].constants.size()) : 0;
+    const Register constants =
+        in_frame ? static_cast<Register>(code_.instances[body.instance].constants.size()) : 0;
     const auto final_number = [&](Register& reg) {
         if (reg == unused) {
             reg = 0;
@@ -195,7 +215,8 @@ void Generator::place(const Body& body, Register base) {
     };
     for (std::uint32_t i = body.begin; i < body.end; ++i) {
         Instruction& instruction = code_.instructions[i];
-        for (Register* reg : {&instruction.dst, &instruction.a, &instruction.b, &instruction.c}) final_number(*reg);
+        for (Register* reg : {&instruction.dst, &instruction.a, &instruction.b, &instruction.c})
+            final_number(*reg);
     }
     if (in_frame) code_.instances[body.instance].frame_size = body.registers + constants;
 }
@@ -213,8 +234,9 @@ void Generator::place_bodies() {
     code_.static_registers = cells_base;
 }
 
-/// Marks operands that are what the instruction before has just computed, and chooses the function that executes each
-/// instruction accordingly. A register that code jumps to may have come from elsewhere, so jump targets take no part.
+/// Marks operands that are what the instruction before has just computed, and chooses the function that
+/// executes each instruction accordingly. A register that code jumps to may have come from elsewhere, so jump
+/// targets take no part.
 void Generator::pass_on_last_values() {
     std::vector<bool> is_target(code_.instructions.size() + 1);
     for (const Instruction& instruction : code_.instructions) {
@@ -222,12 +244,15 @@ void Generator::pass_on_last_values() {
             case Opcode::jump:
             case Opcode::jump_unless_positive:
             case Opcode::jump_unless_greater:
-            case Opcode::delay: is_target[instruction.data] = true; break;
+            case Opcode::delay:
+                is_target[instruction.data] = true;
+                break;
             case Opcode::jump_selected:
                 for (std::uint32_t i = 0; i < code_.jump_tables[instruction.data] + 2; ++i)
                     is_target[code_.jump_tables[instruction.data + 1 + i]] = true;
                 break;
-            default: break;
+            default:
+                break;
         }
     }
     for (const Body& body : bodies_) is_target[body.begin] = true;
@@ -265,8 +290,8 @@ Generator::Register Generator::emit(VertexId id) {
     return reg;
 }
 
-/// Whether a vertex is to be loaded rather than computed. A vertex that turns out to need a home gets it in the next
-/// round; the code of this one is thrown away.
+/// Whether a vertex is to be loaded rather than computed. A vertex that turns out to need a home gets it in
+/// the next round; the code of this one is thrown away.
 bool Generator::has_home(VertexId id) {
     const Vertex& vertex = graph_[id];
     if (is_shared_[id]) return true;
@@ -286,7 +311,8 @@ Generator::Register Generator::load_from_home(VertexId id) {
         remember(id, slot->second);
         return slot->second;
     }
-    const auto [cell, is_new] = cell_index_.try_emplace(id, static_cast<std::uint32_t>(cell_vertices_.size()));
+    const auto [cell, is_new] =
+        cell_index_.try_emplace(id, static_cast<std::uint32_t>(cell_vertices_.size()));
     if (is_new) cell_vertices_.push_back(id);
     const Register dst = new_registers();
     add(Opcode::load_cell, dst, unused, unused, unused, cell->second);
@@ -297,20 +323,30 @@ Generator::Register Generator::load_from_home(VertexId id) {
 Generator::Register Generator::emit_here(VertexId id) {
     const Vertex& vertex = graph_[id];
     switch (vertex.op) {
-        case Op::parameter: return emit_parameter(vertex);
-        case Op::add: return emit_sum(id);
-        case Op::if_positive: return emit_if(id);
-        case Op::select: return emit_select(id);
-        case Op::call: return emit_call(id);
-        case Op::builtin: return emit_builtin(id);
-        case Op::argument: return emit_argument(id);
+        case Op::parameter:
+            return emit_parameter(vertex);
+        case Op::add:
+            return emit_sum(id);
+        case Op::if_positive:
+            return emit_if(id);
+        case Op::select:
+            return emit_select(id);
+        case Op::call:
+            return emit_call(id);
+        case Op::builtin:
+            return emit_builtin(id);
+        case Op::argument:
+            return emit_argument(id);
         case Op::channel: {
             const Register dst = new_registers();
             add(Opcode::channel, dst, unused, unused, unused, vertex.data);
             return dst;
         }
-        case Op::fail: add(Opcode::fail, unused, unused, unused, unused, vertex.data); return constant(0);
-        default: break;
+        case Op::fail:
+            add(Opcode::fail, unused, unused, unused, unused, vertex.data);
+            return constant(0);
+        default:
+            break;
     }
     Register dst;
     if (emit_clamp(id, dst)) return dst;
@@ -328,7 +364,8 @@ Generator::Register Generator::emit_parameter(const Vertex& vertex) {
     return slot;
 }
 
-/// Whether a vertex is one of this kind that only the vertex being emitted needs, so that both can be one instruction.
+/// Whether a vertex is one of this kind that only the vertex being emitted needs, so that both can be one
+/// instruction.
 bool Generator::is_private(VertexId id, Op op) const {
     return graph_[id].op == op && analysis_.uses(id) == 1 && !at_hand(id) && !is_shared_[id];
 }
@@ -343,10 +380,12 @@ bool Generator::emit_clamp(VertexId id, Register& dst) {
     const bool arc_cosine = outer.op == Op::arc_cosine && is_private(outer.inputs[0], Op::maximum);
     if (!arc_cosine && outer.op != Op::maximum) return false;
     const Vertex& maximum = arc_cosine ? graph_[outer.inputs[0]] : outer;
-    if (!is_private(maximum.inputs[0], Op::minimum) || graph_[maximum.inputs[1]].op != Op::constant) return false;
+    if (!is_private(maximum.inputs[0], Op::minimum) || graph_[maximum.inputs[1]].op != Op::constant)
+        return false;
     const Vertex& minimum = graph_[maximum.inputs[0]];
     if (graph_[minimum.inputs[1]].op != Op::constant) return false;
-    if (arc_cosine && !(is_constant(maximum.inputs[1], -1) && is_constant(minimum.inputs[1], 1))) return false;
+    if (arc_cosine && !(is_constant(maximum.inputs[1], -1) && is_constant(minimum.inputs[1], 1)))
+        return false;
     const Register x = emit(minimum.inputs[0]);
     dst = new_registers();
     if (arc_cosine)
@@ -375,7 +414,8 @@ Generator::Register Generator::emit_sum(VertexId id) {
     for (const bool swapped : {false, true}) {
         const VertexId product = swapped ? right : left, other = swapped ? left : right;
         if (product == other || !private_product(product)) continue;
-        const Register a = emit(graph_[product].inputs[0]), b = emit(graph_[product].inputs[1]), c = emit(other);
+        const Register a = emit(graph_[product].inputs[0]), b = emit(graph_[product].inputs[1]),
+                       c = emit(other);
         const Register dst = new_registers();
         add(Opcode::multiply_add, dst, a, b, c);
         return dst;
@@ -391,13 +431,15 @@ Generator::Register Generator::emit_argument(VertexId id) {
     const Vertex& number = graph_[graph_[id].inputs[0]];
     const Register dst = new_registers();
     if (number.op == Op::constant && number.number >= .5 && number.number < largest)
-        add(Opcode::argument_constant, dst, unused, unused, unused, static_cast<std::uint32_t>(number.number + .5) - 1);
+        add(Opcode::argument_constant, dst, unused, unused, unused,
+            static_cast<std::uint32_t>(number.number + .5) - 1);
     else if (!emit_affine_argument(graph_[id].inputs[0], dst))
         add(Opcode::argument, dst, emit(graph_[id].inputs[0]));
     return dst;
 }
 
-/// The sum of constant multiples of vertices that a vertex is, found through +, - and products with constants.
+/// The sum of constant multiples of vertices that a vertex is, found through +, - and products with
+/// constants.
 struct Generator::AffineForm {
     double constant = 0;
     std::vector<std::pair<VertexId, double>> terms;
@@ -427,7 +469,8 @@ struct Generator::AffineForm {
     }
 };
 
-/// Tables are read by arg(n*i + j + 1) and the like: one instruction where the number has at most two variable terms.
+/// Tables are read by arg(n*i + j + 1) and the like: one instruction where the number has at most two
+/// variable terms.
 bool Generator::emit_affine_argument(VertexId number, Register dst) {
     constexpr int longest = 64;
     if (at_hand(number) || is_shared_[number] || analysis_.depth(number) > longest) return false;
@@ -446,7 +489,8 @@ Generator::Register Generator::emit_builtin(VertexId id) {
     std::vector<Register> arguments;
     for (const VertexId input : vertex.inputs) arguments.push_back(emit(input));
     const Register block = new_registers(std::max<Register>(1, static_cast<Register>(arguments.size())));
-    for (std::size_t i = 0; i < arguments.size(); ++i) emit_move(block + static_cast<Register>(i), arguments[i]);
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+        emit_move(block + static_cast<Register>(i), arguments[i]);
     const Register dst = new_registers();
     add(Opcode::builtin, dst, block, unused, unused, vertex.data);
     return dst;
@@ -454,33 +498,37 @@ Generator::Register Generator::emit_builtin(VertexId id) {
 
 // ---- branches ----
 
-/// Whether a vertex may be computed although it might not be needed: it cannot fail, and what it needs beyond what is
-/// at hand costs no more than the budget.
+/// Whether a vertex may be computed although it might not be needed: it cannot fail, and what it needs beyond
+/// what is at hand costs no more than the budget.
 bool Generator::can_choose(VertexId id, int& budget) const {
     const Vertex& vertex = graph_[id];
     if (vertex.op == Op::constant || at_hand(id)) return true;
     if (--budget < 0 || is_shared_[id]) return false;
     switch (vertex.op) {
-        case Op::parameter: return !analysis_.is_delayed(vertex.scope, vertex.data);
+        case Op::parameter:
+            return !analysis_.is_delayed(vertex.scope, vertex.data);
         case Op::negate:
         case Op::add:
         case Op::subtract:
         case Op::multiply:
         case Op::minimum:
-        case Op::maximum: break;
-        default: return false;
+        case Op::maximum:
+            break;
+        default:
+            return false;
     }
     return std::all_of(vertex.inputs.begin(), vertex.inputs.end(),
                        [&](VertexId input) { return can_choose(input, budget); });
 }
 
-/// Emits what an if certainly needs: its condition and what its branches have in common. Then, unless both branches
-/// are cheap enough to be computed in any case, a jump still without target to the second one.
+/// Emits what an if certainly needs: its condition and what its branches have in common. Then, unless both
+/// branches are cheap enough to be computed in any case, a jump still without target to the second one.
 ///   returns  place of the jump, or no_jump; the condition is in `positive` then
 std::uint32_t Generator::emit_branch(VertexId id, Register& positive) {
     const std::vector<VertexId>& inputs = graph_[id].inputs;
     const VertexId condition = inputs[0];
-    const bool compares = graph_[condition].op == Op::subtract && !at_hand(condition) && !is_shared_[condition];
+    const bool compares =
+        graph_[condition].op == Op::subtract && !at_hand(condition) && !is_shared_[condition];
     const Register a = emit(compares ? graph_[condition].inputs[0] : condition);
     const Register b = compares ? emit(graph_[condition].inputs[1]) : unused;
     for (const VertexId common : analysis_.needed_by_both(inputs[1], inputs[2])) emit(common);
@@ -569,7 +617,8 @@ Generator::Register Generator::emit_call(VertexId id) {
     const Vertex& vertex = graph_[id];
     want_instance(vertex.data);
     Register slots = 0;
-    for (std::uint32_t i = 0; i < vertex.inputs.size(); ++i) slots += analysis_.is_delayed(vertex.data, i) ? 3 : 1;
+    for (std::uint32_t i = 0; i < vertex.inputs.size(); ++i)
+        slots += analysis_.is_delayed(vertex.data, i) ? 3 : 1;
     const Register block = new_registers(std::max<Register>(1, slots));
     Register slot = block;
     for (std::uint32_t i = 0; i < vertex.inputs.size(); ++i) {

@@ -1,9 +1,10 @@
 // Turns a graph into code.
 //
-// Within a body each vertex is computed where it is first needed and kept in a register for what follows on the same
-// path. One that would be computed in two places is given a home: a cell if it is closed (so that a variable is
-// evaluated once a clock, however many expressions use it), else a delayed value in its instance's frame. Those
-// places are found by generating the code, so it is generated again until no new ones turn up.
+// Within a body each vertex is computed where it is first needed and kept in a register for what follows on
+// the same path. One that would be computed in two places is given a home: a cell if it is closed (so that a
+// variable is evaluated once a clock, however many expressions use it), else a delayed value in its
+// instance's frame. Those places are found by generating the code, so it is generated again until no new ones
+// turn up.
 #pragma once
 
 #include <initializer_list>
@@ -33,7 +34,8 @@ class Generator {
     using Register = std::uint32_t;
 
     static constexpr Register unused = 0xffffffff;
-    static constexpr Register constant_flag = 0x80000000;  ///< marks the number of a constant, not of a register
+    static constexpr Register constant_flag =
+        0x80000000;  ///< marks the number of a constant, not of a register
     static constexpr std::uint32_t no_instance = 0xffffffff;
     static constexpr VertexId no_vertex = 0xffffffff;
     static constexpr std::uint32_t no_jump = 0xffffffff;
@@ -87,8 +89,8 @@ class Generator {
     Register constant(double value);
     Register constants(std::initializer_list<double> values);
     Register new_registers(Register count = 1);
-    std::uint32_t add(Opcode opcode, Register dst, Register a = unused, Register b = unused, Register c = unused,
-                      std::uint32_t data = 0);
+    std::uint32_t add(Opcode opcode, Register dst, Register a = unused, Register b = unused,
+                      Register c = unused, std::uint32_t data = 0);
     std::uint32_t here() const { return static_cast<std::uint32_t>(code_.instructions.size()); }
     void remember(VertexId id, Register reg);
     void forget_back_to(std::size_t mark);

@@ -13,21 +13,30 @@ void mix(std::size_t& hash, std::uint64_t value) {
 
 std::uint16_t own_cost(Op op) {
     switch (op) {
-        case Op::constant: return 0;
-        case Op::parameter: return 0;
-        case Op::fail: return 0;
-        case Op::channel: return 4;
-        case Op::divide: return 3;
-        case Op::square_root: return 4;
+        case Op::constant:
+            return 0;
+        case Op::parameter:
+            return 0;
+        case Op::fail:
+            return 0;
+        case Op::channel:
+            return 4;
+        case Op::divide:
+            return 3;
+        case Op::square_root:
+            return 4;
         case Op::power:
         case Op::sine:
         case Op::cosine:
         case Op::arc_cosine:
         case Op::arc_tangent2:
         case Op::arc_tangent2_or_zero:
-        case Op::builtin: return 20;
-        case Op::call: return 100;
-        default: return 1;
+        case Op::builtin:
+            return 20;
+        case Op::call:
+            return 100;
+        default:
+            return 1;
     }
 }
 
@@ -44,7 +53,8 @@ std::size_t Graph::Hash::operator()(const Vertex& vertex) const {
 
 bool Graph::Equal::operator()(const Vertex& a, const Vertex& b) const {
     return a.op == b.op && a.data == b.data && a.scope == b.scope &&
-           std::bit_cast<std::uint64_t>(a.number) == std::bit_cast<std::uint64_t>(b.number) && a.inputs == b.inputs;
+           std::bit_cast<std::uint64_t>(a.number) == std::bit_cast<std::uint64_t>(b.number) &&
+           a.inputs == b.inputs;
 }
 
 std::uint16_t Graph::total_cost(const Vertex& vertex) const {
@@ -87,22 +97,52 @@ bool Graph::fold(const Vertex& vertex, double& value) const {
     if (!std::all_of(vertex.inputs.begin(), vertex.inputs.end(), constant_input)) return false;
     const auto input = [&](std::size_t i) { return vertices_[vertex.inputs[i]].number; };
     switch (vertex.op) {
-        case Op::negate: value = -input(0); return true;
-        case Op::add: value = input(0) + input(1); return true;
-        case Op::subtract: value = input(0) - input(1); return true;
-        case Op::multiply: value = input(0) * input(1); return true;
-        case Op::divide: value = input(0) / input(1); return input(1) != 0;
-        case Op::power: value = std::pow(input(0), input(1)); break;
-        case Op::minimum: value = smaller(input(0), input(1)); return true;
-        case Op::maximum: value = larger(input(0), input(1)); return true;
-        case Op::square_root: value = std::sqrt(input(0)); break;
-        case Op::floor: value = std::floor(input(0)); break;
-        case Op::ceiling: value = std::ceil(input(0)); break;
-        case Op::sine: value = std::sin(input(0)); break;
-        case Op::cosine: value = std::cos(input(0)); break;
-        case Op::arc_cosine: value = std::acos(input(0)); break;
+        case Op::negate:
+            value = -input(0);
+            return true;
+        case Op::add:
+            value = input(0) + input(1);
+            return true;
+        case Op::subtract:
+            value = input(0) - input(1);
+            return true;
+        case Op::multiply:
+            value = input(0) * input(1);
+            return true;
+        case Op::divide:
+            value = input(0) / input(1);
+            return input(1) != 0;
+        case Op::power:
+            value = std::pow(input(0), input(1));
+            break;
+        case Op::minimum:
+            value = smaller(input(0), input(1));
+            return true;
+        case Op::maximum:
+            value = larger(input(0), input(1));
+            return true;
+        case Op::square_root:
+            value = std::sqrt(input(0));
+            break;
+        case Op::floor:
+            value = std::floor(input(0));
+            break;
+        case Op::ceiling:
+            value = std::ceil(input(0));
+            break;
+        case Op::sine:
+            value = std::sin(input(0));
+            break;
+        case Op::cosine:
+            value = std::cos(input(0));
+            break;
+        case Op::arc_cosine:
+            value = std::acos(input(0));
+            break;
         case Op::arc_tangent2:
-        case Op::arc_tangent2_or_zero: value = std::atan2(input(0), input(1)); break;
+        case Op::arc_tangent2_or_zero:
+            value = std::atan2(input(0), input(1));
+            break;
         case Op::builtin: {
             const Builtin& builtin = builtins_[vertex.data];
             if (!builtin.pure) return false;
@@ -111,7 +151,8 @@ bool Graph::fold(const Vertex& vertex, double& value) const {
             value = builtin.call(arguments.data(), Host{});
             break;
         }
-        default: return false;
+        default:
+            return false;
     }
     return std::isfinite(value);
 }
@@ -160,7 +201,8 @@ bool Graph::simplify_if(std::span<const VertexId> inputs, VertexId& result) {
 
 bool Graph::is_sum_of_squares(const Vertex& vertex, VertexId a, VertexId b) const {
     const auto is_square = [this](VertexId id, VertexId of) {
-        return vertices_[id].op == Op::multiply && vertices_[id].inputs[0] == of && vertices_[id].inputs[1] == of;
+        return vertices_[id].op == Op::multiply && vertices_[id].inputs[0] == of &&
+               vertices_[id].inputs[1] == of;
     };
     if (vertex.op != Op::add) return false;
     const VertexId left = vertex.inputs[0], right = vertex.inputs[1];

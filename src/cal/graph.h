@@ -1,8 +1,9 @@
-// Expressions as a graph in which equal subexpressions are one vertex: what lowering makes and code comes from.
+// Expressions as a graph in which equal subexpressions are one vertex: what lowering makes and code comes
+// from.
 //
-// A vertex is a value that is computed where and when it is first needed; only code generation decides where. A
-// vertex is closed when it is the same for everything evaluated within one clock, and open when it depends on the
-// parameters of a function that could not be inlined.
+// A vertex is a value that is computed where and when it is first needed; only code generation decides where.
+// A vertex is closed when it is the same for everything evaluated within one clock, and open when it depends
+// on the parameters of a function that could not be inlined.
 #pragma once
 
 #include <cstdint>
@@ -37,17 +38,17 @@ enum class Op : std::uint8_t {
     arc_cosine,
     arc_tangent2,
     arc_tangent2_or_zero,  ///< atan2, but 0 where both inputs are 0
-    builtin,      ///< data: index among the builtins; inputs: its arguments
-    if_positive,  ///< inputs: condition, then, else
-    select,       ///< inputs: index, alternatives 1, 2, ...
-    call,         ///< data: instance; inputs: its arguments
-    fail,         ///< data: index among the errors
+    builtin,               ///< data: index among the builtins; inputs: its arguments
+    if_positive,           ///< inputs: condition, then, else
+    select,                ///< inputs: index, alternatives 1, 2, ...
+    call,                  ///< data: instance; inputs: its arguments
+    fail,                  ///< data: index among the errors
 };
 
 struct Vertex {
     Op op = Op::constant;
     bool open = false;
-    std::uint16_t cost = 0;   ///< rough cost of computing it with all that it needs, in additions, saturating
+    std::uint16_t cost = 0;  ///< rough cost of computing it with all that it needs, in additions, saturating
     std::uint32_t data = 0;
     std::uint32_t scope = 0;  ///< keeps the parameters of different instances apart
     double number = 0;
@@ -61,8 +62,8 @@ class Graph {
     VertexId constant(double value);
     VertexId parameter(std::uint32_t scope, std::uint32_t number);
 
-    /// The vertex for an operation, an equal one if there is one already. Simplifies: constants are folded where
-    /// that raises no error, and bound(a, x, b) becomes a minimum and a maximum.
+    /// The vertex for an operation, an equal one if there is one already. Simplifies: constants are folded
+    /// where that raises no error, and bound(a, x, b) becomes a minimum and a maximum.
     VertexId make(Op op, std::vector<VertexId> inputs, std::uint32_t data = 0);
 
     const Vertex& operator[](VertexId id) const { return vertices_[id]; }
@@ -90,7 +91,8 @@ class Graph {
     std::unordered_map<Vertex, VertexId, Hash, Equal> known_;
 };
 
-/// select(index, ...) with `count` alternatives: the alternative's number from 1, 0 for their count, -1 outside.
+/// select(index, ...) with `count` alternatives: the alternative's number from 1, 0 for their count, -1
+/// outside.
 inline int selected(double index, int count) {
     if (!(index >= -.5) || !(index + .5 < count + 1.)) return -1;
     return static_cast<int>(index + .5);

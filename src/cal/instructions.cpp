@@ -1,8 +1,9 @@
 // One function for each opcode.
 //
-// Each does its work and calls the function of the next instruction as its last act, which compiles to a jump: there
-// is no loop and no switch, and the processor predicts the jump behind each kind of instruction by itself. The value
-// just computed travels along in a floating-point register, so that a chain of instructions does not wait for memory.
+// Each does its work and calls the function of the next instruction as its last act, which compiles to a
+// jump: there is no loop and no switch, and the processor predicts the jump behind each kind of instruction
+// by itself. The value just computed travels along in a floating-point register, so that a chain of
+// instructions does not wait for memory.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -15,7 +16,9 @@ namespace {
 
 bool is_finite(double value) { return std::abs(value) <= std::numeric_limits<double>::max(); }
 
-double next(const Instruction* i, double* r, Machine& m, double last) { return i[1].execute(i + 1, r, m, last); }
+double next(const Instruction* i, double* r, Machine& m, double last) {
+    return i[1].execute(i + 1, r, m, last);
+}
 
 double jump_to(std::uint32_t target, double* r, Machine& m, double last) {
     const Instruction* const i = m.code.instructions.data() + target;
@@ -78,7 +81,9 @@ constexpr auto cosine = [](double a) { return std::cos(a); };
 constexpr auto arc_cosine = [](double a) { return std::acos(a); };
 constexpr auto arc_cosine_clamped = [](double a) { return std::acos(clamped(a, -1, 1)); };
 constexpr auto arc_tangent2 = [](double y, double x) { return std::atan2(y, x); };
-constexpr auto arc_tangent2_or_zero = [](double y, double x) { return x * x + y * y > 0 ? std::atan2(y, x) : 0; };
+constexpr auto arc_tangent2_or_zero = [](double y, double x) {
+    return x * x + y * y > 0 ? std::atan2(y, x) : 0;
+};
 
 // Without SSE 4.1 std::floor is a call; the numbers that fit an integer are most.
 constexpr auto floored = [](double a) {
@@ -135,7 +140,9 @@ double jump_selected(const Instruction* i, double* r, Machine& m, double last) {
     return jump_to(table[choice + 2], r, m, last);
 }
 
-double load_cell(const Instruction* i, double* r, Machine& m, double) { return store(m.cell(i->data), i, r, m); }
+double load_cell(const Instruction* i, double* r, Machine& m, double) {
+    return store(m.cell(i->data), i, r, m);
+}
 
 double call(const Instruction* i, double* r, Machine& m, double) {
     return store(m.run_instance(i->data, r + i->a), i, r, m);
@@ -159,57 +166,95 @@ double finish(const Instruction* i, double* r, Machine&, double last) {
 
 double fail(const Instruction* i, double*, Machine& m, double) { throw m.code.errors[i->data]; }
 
-/// The functions of an opcode, by the operand that is the last value; null where that has no function of its own.
+/// The functions of an opcode, by the operand that is the last value; null where that has no function of its
+/// own.
 using Variants = std::array<Execute, 4>;
 
 template <auto operation, bool check = false>
 constexpr Variants unaries{unary<operation, 0, check>, unary<operation, 1, check>};
 template <auto operation, bool check = false>
-constexpr Variants binaries{binary<operation, 0, check>, binary<operation, 1, check>, binary<operation, 2, check>};
+constexpr Variants binaries{binary<operation, 0, check>, binary<operation, 1, check>,
+                            binary<operation, 2, check>};
 template <auto operation>
 constexpr Variants ternaries{ternary<operation, 0>, ternary<operation, 1>, ternary<operation, 2>,
                              ternary<operation, 3>};
 
 Variants variants(Opcode opcode) {
     switch (opcode) {
-        case Opcode::move: return unaries<same>;
-        case Opcode::channel: return {channel};
-        case Opcode::argument: return {argument<0>, argument<1>};
-        case Opcode::argument_constant: return {argument_constant};
-        case Opcode::argument_affine: return {argument_affine};
-        case Opcode::negate: return unaries<negated>;
-        case Opcode::add: return binaries<sum>;
-        case Opcode::subtract: return binaries<difference>;
-        case Opcode::multiply: return binaries<product>;
-        case Opcode::divide: return {divide<0>, divide<1>, divide<2>};
-        case Opcode::power: return binaries<power, true>;
-        case Opcode::minimum: return binaries<smaller>;
-        case Opcode::maximum: return binaries<larger>;
-        case Opcode::clamp: return ternaries<clamped>;
-        case Opcode::multiply_add: return ternaries<product_sum>;
-        case Opcode::interpolate: return ternaries<interpolated>;
-        case Opcode::square_root: return unaries<square_root, true>;
-        case Opcode::floor: return unaries<floored, true>;
-        case Opcode::ceiling: return unaries<ceiling, true>;
-        case Opcode::sine: return unaries<sine, true>;
-        case Opcode::cosine: return unaries<cosine, true>;
-        case Opcode::arc_cosine: return unaries<arc_cosine, true>;
-        case Opcode::arc_cosine_clamped: return unaries<arc_cosine_clamped, true>;
-        case Opcode::arc_tangent2: return binaries<arc_tangent2, true>;
-        case Opcode::arc_tangent2_or_zero: return binaries<arc_tangent2_or_zero, true>;
-        case Opcode::builtin: return {builtin};
-        case Opcode::choose: return ternaries<chosen>;
-        case Opcode::jump: return {jump};
-        case Opcode::jump_unless_positive: return {jump_unless_positive<0>, jump_unless_positive<1>};
+        case Opcode::move:
+            return unaries<same>;
+        case Opcode::channel:
+            return {channel};
+        case Opcode::argument:
+            return {argument<0>, argument<1>};
+        case Opcode::argument_constant:
+            return {argument_constant};
+        case Opcode::argument_affine:
+            return {argument_affine};
+        case Opcode::negate:
+            return unaries<negated>;
+        case Opcode::add:
+            return binaries<sum>;
+        case Opcode::subtract:
+            return binaries<difference>;
+        case Opcode::multiply:
+            return binaries<product>;
+        case Opcode::divide:
+            return {divide<0>, divide<1>, divide<2>};
+        case Opcode::power:
+            return binaries<power, true>;
+        case Opcode::minimum:
+            return binaries<smaller>;
+        case Opcode::maximum:
+            return binaries<larger>;
+        case Opcode::clamp:
+            return ternaries<clamped>;
+        case Opcode::multiply_add:
+            return ternaries<product_sum>;
+        case Opcode::interpolate:
+            return ternaries<interpolated>;
+        case Opcode::square_root:
+            return unaries<square_root, true>;
+        case Opcode::floor:
+            return unaries<floored, true>;
+        case Opcode::ceiling:
+            return unaries<ceiling, true>;
+        case Opcode::sine:
+            return unaries<sine, true>;
+        case Opcode::cosine:
+            return unaries<cosine, true>;
+        case Opcode::arc_cosine:
+            return unaries<arc_cosine, true>;
+        case Opcode::arc_cosine_clamped:
+            return unaries<arc_cosine_clamped, true>;
+        case Opcode::arc_tangent2:
+            return binaries<arc_tangent2, true>;
+        case Opcode::arc_tangent2_or_zero:
+            return binaries<arc_tangent2_or_zero, true>;
+        case Opcode::builtin:
+            return {builtin};
+        case Opcode::choose:
+            return ternaries<chosen>;
+        case Opcode::jump:
+            return {jump};
+        case Opcode::jump_unless_positive:
+            return {jump_unless_positive<0>, jump_unless_positive<1>};
         case Opcode::jump_unless_greater:
             return {jump_unless_greater<0>, jump_unless_greater<1>, jump_unless_greater<2>};
-        case Opcode::jump_selected: return {jump_selected};
-        case Opcode::load_cell: return {load_cell};
-        case Opcode::call: return {call};
-        case Opcode::delay: return {delay};
-        case Opcode::force: return {force};
-        case Opcode::finish: return {finish<0>, finish<1>};
-        case Opcode::fail: return {fail};
+        case Opcode::jump_selected:
+            return {jump_selected};
+        case Opcode::load_cell:
+            return {load_cell};
+        case Opcode::call:
+            return {call};
+        case Opcode::delay:
+            return {delay};
+        case Opcode::force:
+            return {force};
+        case Opcode::finish:
+            return {finish<0>, finish<1>};
+        case Opcode::fail:
+            return {fail};
     }
     return {fail};
 }
@@ -234,8 +279,10 @@ bool gives_value(Opcode opcode) {
         case Opcode::delay:
         case Opcode::force:
         case Opcode::finish:
-        case Opcode::fail: return false;
-        default: return true;
+        case Opcode::fail:
+            return false;
+        default:
+            return true;
     }
 }
 

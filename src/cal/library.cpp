@@ -56,7 +56,7 @@ double constant_value(const SymbolTable& symbols, const Node& node) {
     request.front().node = copy(node);
     Evaluator evaluator(build(symbols, request));
     const double value = evaluator.evaluate(ExprId{0}, Host{});
-    if (evaluator.fault_count() > 0) throw Error("bad constant: " + std::string(evaluator.last_fault()));
+    if (evaluator.fault_count() > 0) throw Error("bad constant: " + evaluator.last_fault());
     return value;
 }
 
@@ -64,7 +64,8 @@ std::string_view without_suffix(std::string_view name) {
     constexpr std::string_view suffix = ".cal";
     if (name.size() <= suffix.size()) return name;
     const std::string_view end = name.substr(name.size() - suffix.size());
-    const bool matches = end[0] == '.' && (end[1] | 32) == 'c' && (end[2] | 32) == 'a' && (end[3] | 32) == 'l';
+    const bool matches =
+        end[0] == '.' && (end[1] | 32) == 'c' && (end[2] | 32) == 'a' && (end[3] | 32) == 'l';
     return matches ? name.substr(0, name.size() - suffix.size()) : name;
 }
 

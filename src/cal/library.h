@@ -1,8 +1,9 @@
 // The definitions of function files and strings while a scene is being loaded.
 //
-// Order of calls: construct (or make_ray_library), load and define, compile the expressions wanted, link once,
-// then hand the Program to as many Evaluators as there are threads. Names are bound when text is read, so a
-// definition may come after its use, and a later definition replaces an earlier one for every expression.
+// Order of calls: construct (or make_ray_library), load and define, compile the expressions wanted, link
+// once, then hand the Program to as many Evaluators as there are threads. Names are bound when text is read,
+// so a definition may come after its use, and a later definition replaces an earlier one for every
+// expression.
 #pragma once
 
 #include <memory>
@@ -27,16 +28,17 @@ class Library {
     Library(Library&&) noexcept;
     Library& operator=(Library&&) noexcept;
 
-    /// Reads the statements in `text`. `start` locates its first character: a file's name and line 1 column 1, say,
-    /// or the line of the scene on which a string stands. `context` is "" for global or a name such as "sky".
+    /// Reads the statements in `text`. `start` locates its first character: a file's name and line 1 column
+    /// 1, say, or the line of the scene on which a string stands. `context` is "" for global or a name such
+    /// as "sky".
     ///   throws  Error with file, line and column for bad syntax
     void define(std::string_view text, const Location& start, std::string_view context = {});
 
     /// Reads a file found through RAYPATH. throws Error if it is not found; `where` names what asked for it.
     void load_file(std::string_view name, const Location& where = {}, std::string_view context = {});
 
-    /// What a primitive's function file argument means: loads the file at its first mention, into a context of its
-    /// own, and returns that context. "." is no file and gives the global context "".
+    /// What a primitive's function file argument means: loads the file at its first mention, into a context
+    /// of its own, and returns that context. "." is no file and gives the global context "".
     std::string load_function_file(std::string_view name, const Location& where);
 
     /// Makes `name` stand for channel `number`, replacing any definition.

@@ -7,8 +7,8 @@ namespace {
 
 using Kind = Node::Kind;
 
-constexpr int max_depth = 8000;             // of this recursion, so that no input exhausts the stack
-constexpr int max_inline_depth = 100;       // functions within functions; a function given itself would not end
+constexpr int max_depth = 3000;        // of this recursion, so that no input exhausts the stack
+constexpr int max_inline_depth = 100;  // functions within functions; a function given itself would not end
 constexpr std::size_t inline_budget = 50000;  // tree nodes that one expression may come to by inlining
 
 /// Operations that have a code of their own; other built-in functions are called through their pointer.
@@ -26,11 +26,16 @@ std::optional<Op> operation_of(std::string_view builtin) {
 
 Op operation_of(Kind kind) {
     switch (kind) {
-        case Kind::add: return Op::add;
-        case Kind::subtract: return Op::subtract;
-        case Kind::multiply: return Op::multiply;
-        case Kind::divide: return Op::divide;
-        default: return Op::power;
+        case Kind::add:
+            return Op::add;
+        case Kind::subtract:
+            return Op::subtract;
+        case Kind::multiply:
+            return Op::multiply;
+        case Kind::divide:
+            return Op::divide;
+        default:
+            return Op::power;
     }
 }
 
@@ -88,12 +93,24 @@ VertexId Lowering::lower(const Node& node, Scope* scope) {
     ++steps_;
     VertexId result = 0;
     switch (node.kind) {
-        case Kind::number: result = graph_.constant(node.number); break;
-        case Kind::channel: result = graph_.make(Op::channel, {}, node.index); break;
-        case Kind::parameter: result = lower_parameter(node, *scope); break;
-        case Kind::name: result = lower_name(node, node.index); break;
-        case Kind::call: result = lower_call(node, scope); break;
-        case Kind::negate: result = graph_.make(Op::negate, {lower(*node.children[0], scope)}); break;
+        case Kind::number:
+            result = graph_.constant(node.number);
+            break;
+        case Kind::channel:
+            result = graph_.make(Op::channel, {}, node.index);
+            break;
+        case Kind::parameter:
+            result = lower_parameter(node, *scope);
+            break;
+        case Kind::name:
+            result = lower_name(node, node.index);
+            break;
+        case Kind::call:
+            result = lower_call(node, scope);
+            break;
+        case Kind::negate:
+            result = graph_.make(Op::negate, {lower(*node.children[0], scope)});
+            break;
         default: {
             const VertexId left = lower(*node.children[0], scope);
             result = graph_.make(operation_of(node.kind), {left, lower(*node.children[1], scope)});
@@ -108,7 +125,8 @@ VertexId Lowering::lower_name(const Node& use, SymbolId id) {
     if (!symbol.is_variable()) {
         const bool function = symbol.is_function() || symbol.intrinsic != Intrinsic::none;
         if (function) return fail(use.where, quoted(symbol.name) + " is a function and needs arguments here");
-        return fail(use.where, "undefined variable " + quoted(symbol.name), symbols_.spelling_hint(symbol.name, false));
+        return fail(use.where, "undefined variable " + quoted(symbol.name),
+                    symbols_.spelling_hint(symbol.name, false));
     }
     if (const auto known = variables_.find(id); known != variables_.end()) {
         if (known->second) return *known->second;
@@ -126,10 +144,14 @@ VertexId Lowering::lower_parameter(const Node& use, Scope& scope) {
 
 VertexId Lowering::value_of(Binding& binding, const Node& use, const std::string& function) {
     switch (binding.kind) {
-        case Binding::Kind::vertex: return binding.vertex;
-        case Binding::Kind::symbol: return lower_name(*binding.node, binding.symbol);
-        case Binding::Kind::missing: return fail(use.where, function + "(): too few arguments");
-        case Binding::Kind::expression: break;
+        case Binding::Kind::vertex:
+            return binding.vertex;
+        case Binding::Kind::symbol:
+            return lower_name(*binding.node, binding.symbol);
+        case Binding::Kind::missing:
+            return fail(use.where, function + "(): too few arguments");
+        case Binding::Kind::expression:
+            break;
     }
     const Node& node = *binding.node;
     Scope* const outer = binding.scope;
@@ -154,7 +176,8 @@ VertexId Lowering::lower_call(const Node& call, Scope* scope) {
     SymbolId id = callee.index;
     if (callee.kind == Kind::parameter) {
         const Binding& binding = scope->bindings[callee.index];
-        if (binding.kind == Binding::Kind::missing) return fail(callee.where, scope->function + "(): too few arguments");
+        if (binding.kind == Binding::Kind::missing)
+            return fail(callee.where, scope->function + "(): too few arguments");
         if (binding.kind != Binding::Kind::symbol)
             return fail(callee.where, scope->function + "(): argument " + std::to_string(callee.index + 1) +
                                           " is not a function");
@@ -163,7 +186,8 @@ VertexId Lowering::lower_call(const Node& call, Scope* scope) {
     const Symbol& symbol = symbols_[id];
     if (symbol.is_function()) return lower_definition(call, id, scope);
     if (symbol.intrinsic != Intrinsic::none) return lower_intrinsic(call, symbol, scope);
-    return fail(callee.where, "undefined function " + quoted(symbol.name), symbols_.spelling_hint(symbol.name, true));
+    return fail(callee.where, "undefined function " + quoted(symbol.name),
+                symbols_.spelling_hint(symbol.name, true));
 }
 
 VertexId Lowering::argument(const Node& call, std::size_t number, const Symbol& symbol, Scope* scope) {
@@ -178,8 +202,10 @@ VertexId Lowering::lower_intrinsic(const Node& call, const Symbol& symbol, Scope
     std::vector<VertexId> inputs;
     for (std::size_t i = 1; i <= count; ++i) inputs.push_back(argument(call, i, symbol, scope));
     switch (symbol.intrinsic) {
-        case Intrinsic::if_positive: return graph_.make(Op::if_positive, std::move(inputs));
-        case Intrinsic::select: return graph_.make(Op::select, std::move(inputs));
+        case Intrinsic::if_positive:
+            return graph_.make(Op::if_positive, std::move(inputs));
+        case Intrinsic::select:
+            return graph_.make(Op::select, std::move(inputs));
         case Intrinsic::minimum:
         case Intrinsic::maximum: {
             const Op op = symbol.intrinsic == Intrinsic::minimum ? Op::minimum : Op::maximum;
@@ -187,7 +213,8 @@ VertexId Lowering::lower_intrinsic(const Node& call, const Symbol& symbol, Scope
             for (std::size_t i = inputs.size(); --i > 0;) extreme = graph_.make(op, {extreme, inputs[i]});
             return extreme;
         }
-        default: break;
+        default:
+            break;
     }
     if (const auto op = operation_of(symbols_.builtins()[symbol.builtin].name))
         return graph_.make(*op, std::move(inputs));
@@ -198,7 +225,8 @@ VertexId Lowering::lower_definition(const Node& call, SymbolId id, Scope* scope)
     const Definition& definition = *symbols_[id].definition;
     Scope callee{symbols_[id].name, {}};
     for (std::size_t i = 0; i < definition.parameters.size(); ++i)
-        callee.bindings.push_back(i + 1 < call.children.size() ? bind(*call.children[i + 1], scope) : Binding{});
+        callee.bindings.push_back(i + 1 < call.children.size() ? bind(*call.children[i + 1], scope)
+                                                               : Binding{});
     const bool inlined = !is_recursive(id) && inline_depth_ < max_inline_depth && steps_ < inline_limit_;
     if (!inlined) return instance_call(id, callee);
     ++inline_depth_;
@@ -223,7 +251,8 @@ VertexId Lowering::instance_call(SymbolId id, Scope& callee) {
             values.push_back(value_of(binding, *binding.node, callee.function));
         }
     }
-    const auto [found, is_new] = instance_index_.try_emplace(key, static_cast<std::uint32_t>(instances_.size()));
+    const auto [found, is_new] =
+        instance_index_.try_emplace(key, static_cast<std::uint32_t>(instances_.size()));
     const std::uint32_t instance = found->second;
     if (is_new) {
         instances_.push_back({callee.function, 0, static_cast<std::uint32_t>(values.size())});

@@ -1,8 +1,8 @@
 // Turns syntax trees into one graph: variables and functions are replaced by what they stand for.
 //
-// A function that does not lead back to itself is inlined, so that its arguments become ordinary vertices. One that
-// does becomes an instance: a body of its own with parameters, made once for each combination of functions that are
-// passed to it as arguments.
+// A function that does not lead back to itself is inlined, so that its arguments become ordinary vertices.
+// One that does becomes an instance: a body of its own with parameters, made once for each combination of
+// functions that are passed to it as arguments.
 #pragma once
 
 #include <deque>

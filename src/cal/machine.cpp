@@ -7,21 +7,33 @@
 namespace infra::cal {
 namespace {
 
+/// Name of the function that an opcode is, or a text with blanks.
 const char* domain_fault_text(Opcode opcode) {
     switch (opcode) {
-        case Opcode::divide: return "division by zero";
-        case Opcode::power: return "illegal power";
-        case Opcode::square_root: return "sqrt(): domain error";
-        case Opcode::floor: return "floor(): domain error";
-        case Opcode::ceiling: return "ceil(): domain error";
-        case Opcode::sine: return "sin(): domain error";
-        case Opcode::cosine: return "cos(): domain error";
+        case Opcode::divide:
+            return "division by zero";
+        case Opcode::power:
+            return "illegal power";
+        case Opcode::square_root:
+            return "sqrt";
+        case Opcode::floor:
+            return "floor";
+        case Opcode::ceiling:
+            return "ceil";
+        case Opcode::sine:
+            return "sin";
+        case Opcode::cosine:
+            return "cos";
         case Opcode::arc_cosine:
-        case Opcode::arc_cosine_clamped: return "acos(): domain error";
+        case Opcode::arc_cosine_clamped:
+            return "acos";
         case Opcode::arc_tangent2:
-        case Opcode::arc_tangent2_or_zero: return "atan2(): domain error";
-        case Opcode::jump_selected: return "select(): domain error";
-        default: return "domain error";
+        case Opcode::arc_tangent2_or_zero:
+            return "atan2";
+        case Opcode::jump_selected:
+            return "select";
+        default:
+            return "domain error";
     }
 }
 
@@ -44,7 +56,8 @@ double Machine::run_root(const Code::Root& root, std::span<const double> argumen
     if (!root.is_instance) return run(root.target, registers);
     const InstanceCode& instance = code.instances[root.target];
     if (arguments.size() != instance.delayed.size())
-        throw Error(instance.name + "() evaluated with the wrong number of arguments", {}, Severity::internal);
+        throw Error(instance.name + "() evaluated with the wrong number of arguments", {},
+                    Severity::internal);
     double* const block = stack_top_;
     double* slot = block;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -63,7 +76,9 @@ double Machine::fault(const char* what) {
     return 0;
 }
 
-double Machine::domain_fault(const Instruction& instruction) { return fault(domain_fault_text(instruction.opcode)); }
+double Machine::domain_fault(const Instruction& instruction) {
+    return fault(domain_fault_text(instruction.opcode));
+}
 
 void Machine::too_deep(const std::string& name) const {
     throw host.error("endless recursion" + (name.empty() ? "" : " in " + name + "()"),
@@ -97,8 +112,8 @@ double Machine::compute_cell(std::uint32_t number) {
     return value;
 }
 
-// A delayed value is three registers: the value, the place of its code (0 once it is computed), and where the frame
-// of that code begins.
+// A delayed value is three registers: the value, the place of its code (0 once it is computed), and where the
+// frame of that code begins.
 void Machine::force(double* slot) {
     static const std::string no_name;
     const auto entry = static_cast<std::uint32_t>(slot[1]);

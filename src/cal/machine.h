@@ -1,6 +1,7 @@
 // Runs compiled code for one evaluation.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -52,8 +53,9 @@ struct Machine {
 
 inline double Machine::real_argument(double number) {
     const double rounded = number + .5;
-    if (rounded >= 1 && rounded < static_cast<double>(host.reals.size()) + 1)
-        return host.reals[static_cast<std::size_t>(rounded) - 1];
+    const auto count = static_cast<std::ptrdiff_t>(host.reals.size());  // signed: the faster conversion
+    if (rounded >= 1 && rounded < static_cast<double>(count + 1))
+        return host.reals[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(rounded) - 1)];
     return unusual_argument(number);
 }
 

@@ -29,7 +29,8 @@ constexpr std::array<std::uint8_t, 256> permutation{
 
 int hash(int i) { return permutation[static_cast<unsigned>(i) & 255u]; }
 
-/// The cell that contains x. Below zero it is one lower at whole numbers, which changes nothing: noise is 0 there.
+/// The cell that contains x. Below zero it is one lower at whole numbers, which changes nothing: noise is 0
+/// there.
 int cell_of(double x) {
     constexpr double limit = 1e9;  // keeps the conversion to int defined
     if (!(std::abs(x) < limit)) return 0;
@@ -87,12 +88,13 @@ double gradient_noise(double x, double y, double z) {
 
 double gradient_noise_slope(int axis, double x, double y, double z) {
     const double here = gradient_noise(x, y, z);
-    const double before = gradient_noise(axis == 0 ? x - step : x, axis == 1 ? y - step : y, axis == 2 ? z - step : z);
+    const double before =
+        gradient_noise(axis == 0 ? x - step : x, axis == 1 ? y - step : y, axis == 2 ? z - step : z);
     return (here - before) / step;
 }
 
-// Each round halves the cube that contains the point. The new corners are means of old ones (the centre of eight,
-// face centres of four, edge centres of two) plus a random displacement in proportion to the size.
+// Each round halves the cube that contains the point. The new corners are means of old ones (the centre of
+// eight, face centres of four, edge centres of two) plus a random displacement in proportion to the size.
 double fractal_noise(double x, double y, double z) {
     constexpr double limit = 1e12;  // beyond, lattice coordinates would not fit 64 bits
     const std::array<double, 3> point{x, y, z};

@@ -5,8 +5,9 @@
 namespace infra::cal {
 namespace {
 
-constexpr int max_nesting = 1000;  ///< of parentheses: keeps the parser's own recursion within any thread's stack
-constexpr int max_depth = 4000;    ///< of a tree: the same for whoever walks it
+constexpr int max_nesting =
+    1000;  ///< of parentheses: keeps the parser's own recursion within any thread's stack
+constexpr int max_depth = 2000;  ///< of a tree: the same for whoever walks it
 
 using Kind = Node::Kind;
 
@@ -171,7 +172,8 @@ NodePtr Parser::name_or_call() {
         const auto& parameters = function_->parameters;
         const auto found = std::find(parameters.begin(), parameters.end(), token.text);
         if (found != parameters.end())
-            node = make_leaf(Kind::parameter, static_cast<std::uint32_t>(found - parameters.begin()), token.where);
+            node = make_leaf(Kind::parameter, static_cast<std::uint32_t>(found - parameters.begin()),
+                             token.where);
     }
     if (!node) node = make_leaf(Kind::name, symbols_.refer(token.text, context_), token.where);
     if (lexer_.current().is('(')) {

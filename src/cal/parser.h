@@ -28,7 +28,8 @@ struct Statement {
 
 class Parser {
   public:
-    /// Names are resolved in `context` (a path) as they are read. Without `evaluate`, constants are not folded.
+    /// Names are resolved in `context` (a path) as they are read. Without `evaluate`, constants are not
+    /// folded.
     Parser(std::string_view text, const Location& start, std::string context, SymbolTable& symbols,
            ConstantEvaluator evaluate);
 

@@ -1,4 +1,5 @@
-// A compiled set of expressions: immutable, so that any number of threads can share it, each with its own Evaluator.
+// A compiled set of expressions: immutable, so that any number of threads can share it, each with its own
+// Evaluator.
 #pragma once
 
 #include <cstdint>

@@ -5,8 +5,8 @@
 
 namespace infra::cal {
 
-/// Numbers of the channels that the ray tracer's Host answers. lib/rayinit.cal gives them their names; those up to
-/// local_v are RADIANCE's. Vectors take three successive numbers.
+/// Numbers of the channels that the ray tracer's Host answers. lib/rayinit.cal gives them their names; those
+/// up to local_v are RADIANCE's. Vectors take three successive numbers.
 enum RayChannel {
     ray_direction = 1,       ///< Dx Dy Dz
     surface_normal = 4,      ///< Nx Ny Nz
@@ -27,7 +27,8 @@ enum RayChannel {
     light_direction = 35,    ///< DxA DyA DzA, for prism1 and prism2
 };
 
-/// A Library with the ray tracer's functions and lib/rayinit.cal loaded. throws Error if that file is not found.
+/// A Library with the ray tracer's functions and lib/rayinit.cal loaded. throws Error if that file is not
+/// found.
 Library make_ray_library();
 
 }  // namespace infra::cal

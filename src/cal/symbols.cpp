@@ -84,15 +84,20 @@ int SymbolTable::arity(std::string_view name, std::string_view context) const {
     std::tie(unmentioned.intrinsic, unmentioned.builtin) = intrinsic_of(name, builtins_);
     const auto known = find(name, context);
     const Symbol& symbol = known ? symbols_[*known] : unmentioned;
-    return symbol.is_function() ? static_cast<int>(symbol.definition->parameters.size()) : intrinsic_arity(symbol);
+    return symbol.is_function() ? static_cast<int>(symbol.definition->parameters.size())
+                                : intrinsic_arity(symbol);
 }
 
 int SymbolTable::intrinsic_arity(const Symbol& symbol) const {
     switch (symbol.intrinsic) {
-        case Intrinsic::none: return 0;
-        case Intrinsic::if_positive: return 3;
-        case Intrinsic::builtin: return builtins_[symbol.builtin].arity;
-        default: return 1;
+        case Intrinsic::none:
+            return 0;
+        case Intrinsic::if_positive:
+            return 3;
+        case Intrinsic::builtin:
+            return builtins_[symbol.builtin].arity;
+        default:
+            return 1;
     }
 }
 

@@ -1,8 +1,8 @@
 // The names of a Library, each qualified by its context, and what they stand for.
 //
-// A context is a path such as "`sky`day"; the name x in it is stored as "x`sky`day". A use of x means the innermost
-// of x`sky`day, x`day and x that is known when the use is read. `x means x of the current context alone, x` the
-// global one.
+// A context is a path such as "`sky`day"; the name x in it is stored as "x`sky`day". A use of x means the
+// innermost of x`sky`day, x`day and x that is known when the use is read. `x means x of the current context
+// alone, x` the global one.
 #pragma once
 
 #include <deque>

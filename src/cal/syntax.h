@@ -17,14 +17,27 @@ struct Node;
 using NodePtr = std::unique_ptr<Node>;
 
 struct Node {
-    enum class Kind { number, channel, parameter, name, call, negate, add, subtract, multiply, divide, power };
+    enum class Kind {
+        number,
+        channel,
+        parameter,
+        name,
+        call,
+        negate,
+        add,
+        subtract,
+        multiply,
+        divide,
+        power
+    };
 
     Kind kind = Kind::number;
-    double number = 0;              ///< number: its value
-    std::uint32_t index = 0;        ///< channel: its number; parameter: from 0; name: its SymbolId
-    std::vector<NodePtr> children;  ///< operands; call: what is called (a name or parameter), then the arguments
-    Location where;                 ///< of a name or parameter, for errors found late
-    int depth = 1;                  ///< nodes on the longest way down, this one included
+    double number = 0;        ///< number: its value
+    std::uint32_t index = 0;  ///< channel: its number; parameter: from 0; name: its SymbolId
+    std::vector<NodePtr>
+        children;    ///< operands; call: what is called (a name or parameter), then the arguments
+    Location where;  ///< of a name or parameter, for errors found late
+    int depth = 1;   ///< nodes on the longest way down, this one included
 
     bool is_number() const { return kind == Kind::number; }
     bool is_number(double value) const { return kind == Kind::number && number == value; }

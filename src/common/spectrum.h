@@ -6,8 +6,6 @@
 // costs what it holds.
 #pragma once
 
-#include <array>
-
 namespace infra {
 
 class Spectrum {
@@ -15,49 +13,59 @@ class Spectrum {
     static constexpr int max_channels = 24;
 
     /// All channels equal to `value`. channels: 1..max_channels.
-    explicit Spectrum(int channels, float value = 0.0f) : channels_(channels), lanes_((channels + 3) / 4) {
-        for (int l = 0; l < lanes_; ++l) data_[l] = Lane{};
+    explicit Spectrum(int channels, float value = 0.0f) : channels_(channels) {
+        for_lanes([&](int l) { lane_[l] = Lane{}; });
         if (value != 0.0f) fill(value);
     }
-    Spectrum(const Spectrum& other) { copy(other); }
+    Spectrum(const Spectrum& other) : channels_(other.channels_) {
+        for_lanes([&](int l) { lane_[l] = other.lane_[l]; });
+    }
     Spectrum& operator=(const Spectrum& other) {
-        copy(other);
+        channels_ = other.channels_;
+        for_lanes([&](int l) { lane_[l] = other.lane_[l]; });
         return *this;
     }
 
     int channels() const { return channels_; }
-    float operator[](int c) const { return data_[c / 4][c % 4]; }
-    void set(int c, float value) { data_[c / 4][c % 4] = value; }
+    float operator[](int c) const { return lane_[c / 4][c % 4]; }
+    void set(int c, float value) { lane_[c / 4][c % 4] = value; }
     void fill(float value) {
         for (int c = 0; c < channels_; ++c) set(c, value);
     }
     void clear() {
-        for (int l = 0; l < lanes_; ++l) data_[l] = Lane{};
+        for_lanes([&](int l) { lane_[l] = Lane{}; });
     }
 
     Spectrum& operator+=(const Spectrum& other) {
-        for (int l = 0; l < lanes_; ++l) data_[l] += other.data_[l];
+        for_lanes([&](int l) { lane_[l] += other.lane_[l]; });
         return *this;
     }
     Spectrum& operator-=(const Spectrum& other) {
-        for (int l = 0; l < lanes_; ++l) data_[l] -= other.data_[l];
+        for_lanes([&](int l) { lane_[l] -= other.lane_[l]; });
         return *this;
     }
     Spectrum& operator*=(const Spectrum& other) {
-        for (int l = 0; l < lanes_; ++l) data_[l] *= other.data_[l];
+        for_lanes([&](int l) { lane_[l] *= other.lane_[l]; });
         return *this;
     }
     Spectrum& operator*=(float factor) {
-        for (int l = 0; l < lanes_; ++l) data_[l] *= factor;
+        for_lanes([&](int l) { lane_[l] *= factor; });
         return *this;
     }
     /// this += other * factor, the inner step of every sum over samples.
     void add_scaled(const Spectrum& other, float factor) {
-        for (int l = 0; l < lanes_; ++l) data_[l] += other.data_[l] * factor;
+        for_lanes([&](int l) { lane_[l] += other.lane_[l] * factor; });
     }
     /// this += a * b, channel by channel.
     void add_product(const Spectrum& a, const Spectrum& b) {
-        for (int l = 0; l < lanes_; ++l) data_[l] += a.data_[l] * b.data_[l];
+        for_lanes([&](int l) { lane_[l] += a.lane_[l] * b.lane_[l]; });
+    }
+
+    /// Whether no channel is infinite or not a number.
+    bool finite() const {
+        float sum = 0.0f;  // x * 0 is 0 for finite x only
+        for (int c = 0; c < channels_; ++c) sum += (*this)[c] * 0.0f;
+        return sum == 0.0f;
     }
 
     /// Largest channel, or 0 if all are negative: a ray's weight.
@@ -81,15 +89,16 @@ class Spectrum {
   private:
     typedef float Lane __attribute__((vector_size(16)));
 
-    void copy(const Spectrum& other) {
-        channels_ = other.channels_;
-        lanes_ = other.lanes_;
-        for (int l = 0; l < lanes_; ++l) data_[l] = other.data_[l];
+    // The first lane is written out, for three channels have no other.
+    template <class Step>
+    void for_lanes(Step&& step) {
+        step(0);
+        if (channels_ > 4) [[unlikely]]
+            for (int l = 1; 4 * l < channels_; ++l) step(l);
     }
 
-    std::array<Lane, max_channels / 4> data_;
+    Lane lane_[max_channels / 4];
     int channels_;
-    int lanes_;
 };
 
 inline Spectrum operator*(Spectrum a, const Spectrum& b) { return a *= b; }

@@ -34,8 +34,17 @@ struct Box {
 
 class Bvh {
   public:
-    /// boxes[i] bounds the item items[i]; both are consumed.
-    void build(std::vector<Box> boxes, std::vector<std::uint32_t> items);
+    /// What the hierarchy is built of: a number that walk() hands back, and its box rounded outward.
+    struct Item {
+        float lo[3], hi[3];
+        std::uint32_t id;
+        Item(const Box& box, std::uint32_t item_id);
+    };
+
+    void build(std::vector<Item> items);
+
+    /// The items' numbers in the order of the leaves. Numbers may be exchanged for others of the same things.
+    std::vector<std::uint32_t>& items() { return items_; }
 
     /// Calls visit(item) for every item whose box the ray may meet nearer than limit(), near boxes first. visit returns
     /// true to end the walk. limit() is asked again after every visit.
@@ -64,40 +73,41 @@ class Bvh {
 #endif
     }
 
+    bool near_box(const Vec3& p) const {
+        return p.x >= near_lo_.x && p.y >= near_lo_.y && p.z >= near_lo_.z && p.x <= near_hi_.x && p.y <= near_hi_.y &&
+               p.z <= near_hi_.z;
+    }
+    /// Distance at which a ray enters the box; false if it misses it or the limit comes first.
+    bool advance_to_box(const Vec3& origin, const Vec3& direction, double limit, double& enter) const;
+
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> items_;
     Box box_;
+    Vec3 near_lo_{0}, near_hi_{0};  ///< the box and as much again on all sides
 };
 
 template <class Visit, class Limit>
 void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&& limit) const {
     if (nodes_.empty()) return;
 
-    // Where does the ray enter and leave the scene?
-    double enter = 0, leave = limit();
-    double inverse[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const double d = direction[axis];
-        inverse[axis] = 1.0 / (std::fabs(d) < 1e-30 ? std::copysign(1e-30, d) : d);
-        double t0 = (box_.lo[axis] - origin[axis]) * inverse[axis];
-        double t1 = (box_.hi[axis] - origin[axis]) * inverse[axis];
-        if (t0 > t1) std::swap(t0, t1);
-        enter = t0 > enter ? t0 : enter;
-        leave = t1 < leave ? t1 : leave;
-    }
-    if (enter > leave) return;
+    // Single precision serves from the box's neighbourhood on: move there from farther away.
+    double enter = 0;
+    if (!near_box(origin) && !advance_to_box(origin, direction, limit(), enter)) return;
 
+    const auto component = [](double d) { return static_cast<float>(std::fabs(d) < 1e-30 ? std::copysign(1e-30, d) : d); };
+    const Float4 d{component(direction.x), component(direction.y), component(direction.z), 1.0f};
+    const Float4 inverse = 1.0f / d;
     Float4 start[3], slope[3];
     int near_side[3];
     for (int axis = 0; axis < 3; ++axis) {
         const float o = static_cast<float>(origin[axis] + direction[axis] * enter);
-        const float i = static_cast<float>(inverse[axis]);
+        const float i = inverse[axis];
         start[axis] = Float4{o, o, o, o};
         slope[axis] = Float4{i, i, i, i};
-        near_side[axis] = inverse[axis] < 0;
+        near_side[axis] = i < 0;
     }
 
-    constexpr float outward = 1.0f + 4e-7f;  // rounding of the far distances, three operations
+    constexpr float outward = 1.0f + 6e-7f;  // rounding of the far distances, four operations
     struct Entry {
         std::int32_t child, count;
         float near;

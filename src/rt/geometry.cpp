@@ -23,10 +23,12 @@ Box disk_box(const Vec3& center, const Vec3& axis, double radius) {
 
 }  // namespace
 
-void Geometry::note(Kind kind, std::size_t index, int surface) {
+void Geometry::note(Kind kind, std::size_t index, int surface, const Box& box) {
     if (shape_of_.size() <= static_cast<std::size_t>(surface))
         shape_of_.resize(static_cast<std::size_t>(surface) + 1, no_shape);
-    shape_of_[static_cast<std::size_t>(surface)] = static_cast<ShapeRef>(kind) << 29 | static_cast<ShapeRef>(index);
+    const ShapeRef shape = static_cast<ShapeRef>(kind) << 29 | static_cast<ShapeRef>(index);
+    shape_of_[static_cast<std::size_t>(surface)] = shape;
+    items_.emplace_back(box, shape);
 }
 
 bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
@@ -38,8 +40,9 @@ bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
             const double radius = std::fabs(numbers[3]);
             if (radius <= same_place) return false;
             const bool inward = (type == PrimitiveType::bubble) != (numbers[3] < 0);
-            spheres_.push_back({vec(numbers, 0), radius, surface, inward});
-            note(sphere, spheres_.size() - 1, surface);
+            const Vec3 center = vec(numbers, 0);
+            spheres_.push_back({center, radius, surface, inward});
+            note(sphere, spheres_.size() - 1, surface, {center - Vec3(radius), center + Vec3(radius)});
             return true;
         }
         case PrimitiveType::cone:
@@ -52,7 +55,7 @@ bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
             const double size = length(axis);
             if (!(size > 0) || outer <= same_place) return false;
             rings_.push_back({vec(numbers, 0), axis / size, std::max(inner, 0.0), outer, surface});
-            note(ring, rings_.size() - 1, surface);
+            note(ring, rings_.size() - 1, surface, disk_box(vec(numbers, 0), axis / size, outer));
             return true;
         }
         default:
@@ -70,8 +73,7 @@ bool Geometry::add_polygon(std::span<const double> vertices, int surface) {
     for (std::size_t i = 0; i < count; ++i) box.extend(vec(vertices, 3 * i));
     if (count == 3) {
         triangles_.emplace_back(vec(vertices, 0), vec(vertices, 3), vec(vertices, 6), surface);
-        triangle_boxes_.push_back(box);
-        note(triangle, triangles_.size() - 1, surface);
+        note(triangle, triangles_.size() - 1, surface, box);
         return true;
     }
     int axis = std::fabs(plane.normal.y) > std::fabs(plane.normal.x) ? 1 : 0;
@@ -87,8 +89,7 @@ bool Geometry::add_polygon(std::span<const double> vertices, int surface) {
     }
     polygons_.push_back({plane.normal, plane.offset, corners.get(), static_cast<int>(count), surface, x, y});
     corners_.push_back(std::move(corners));
-    polygon_boxes_.push_back(box);
-    note(polygon, polygons_.size() - 1, surface);
+    note(polygon, polygons_.size() - 1, surface, box);
     return true;
 }
 
@@ -102,48 +103,46 @@ bool Geometry::add_cone(PrimitiveType type, std::span<const double> numbers, int
     r1 = std::fabs(r1);
     if (!(size > 0) || std::max(r0, r1) <= same_place) return false;
     if (std::fabs(r1 - r0) <= same_place) r1 = r0;
-    cones_.push_back({p0, (p1 - p0) / size, size, r0, (r1 - r0) / size, surface, inward});
-    note(cone, cones_.size() - 1, surface);
+    const Vec3 axis = (p1 - p0) / size;
+    cones_.push_back({p0, axis, size, r0, (r1 - r0) / size, surface, inward});
+    Box box = disk_box(p0, axis, r0);
+    box.extend(disk_box(p1, axis, r1));
+    note(cone, cones_.size() - 1, surface, box);
     return true;
-}
-
-Box Geometry::bounds(ShapeRef shape) const {
-    const std::size_t i = index(shape);
-    Box box;
-    switch (kind(shape)) {
-        case triangle: return triangle_boxes_[i];
-        case polygon: return polygon_boxes_[i];
-        case sphere:
-            box.extend(spheres_[i].center - Vec3(spheres_[i].radius));
-            box.extend(spheres_[i].center + Vec3(spheres_[i].radius));
-            return box;
-        case cone: {
-            const Cone& c = cones_[i];
-            box = disk_box(c.p0, c.axis, c.r0);
-            box.extend(disk_box(c.p0 + c.axis * c.length, c.axis, c.r0 + c.slope * c.length));
-            return box;
-        }
-        case ring: return disk_box(rings_[i].center, rings_[i].unit_normal, rings_[i].outer);
-    }
-    return box;
 }
 
 void Geometry::build(std::vector<SurfaceRank> ranks, std::vector<char> blocks_light) {
     ranks_ = std::move(ranks);
     blocks_light_ = std::move(blocks_light);
     shape_of_.resize(ranks_.size(), no_shape);
-    std::vector<Box> boxes;
-    std::vector<std::uint32_t> items;
-    for (ShapeRef shape : shape_of_) {
-        if (shape == no_shape) continue;
-        boxes.push_back(bounds(shape));
-        items.push_back(shape);
+    bvh_.build(std::move(items_));
+    sort_triangles();
+}
+
+// Brings the triangles into the order of the hierarchy's leaves, so that a leaf's triangles share cache lines.
+void Geometry::sort_triangles() {
+    std::vector<ShapeRef> old_place;  // by new place
+    old_place.reserve(triangles_.size());
+    for (ShapeRef& item : bvh_.items())
+        if (kind(item) == triangle) {
+            old_place.push_back(item);
+            item = static_cast<ShapeRef>(old_place.size() - 1);
+        }
+    for (std::size_t start = 0; start < old_place.size(); ++start) {  // each cycle of the permutation in turn
+        if (old_place[start] == start) continue;
+        const Triangle first = triangles_[start];
+        std::size_t place = start;
+        while (old_place[place] != start) {
+            const std::size_t from = old_place[place];
+            triangles_[place] = triangles_[from];
+            old_place[place] = static_cast<ShapeRef>(place);
+            place = from;
+        }
+        triangles_[place] = first;
+        old_place[place] = static_cast<ShapeRef>(place);
     }
-    triangle_boxes_ = {};
-    polygon_boxes_ = {};
-    triangles_.shrink_to_fit();
-    polygons_.shrink_to_fit();
-    bvh_.build(std::move(boxes), std::move(items));
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
+        shape_of_[static_cast<std::size_t>(triangles_[i].surface)] = static_cast<ShapeRef>(i);
 }
 
 inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const {
@@ -157,11 +156,11 @@ inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direc
     }
 }
 
-void Geometry::intersect(const Vec3& origin, const Vec3& direction, HitState& state) const {
+void Geometry::intersect(const Vec3& origin, const Vec3& direction, ShapeRef leaving, HitState& state) const {
     bvh_.walk(
         origin, direction,
         [&](std::uint32_t shape) {
-            test(shape, origin, direction, state);
+            if (shape != leaving) test(shape, origin, direction, state);
             return false;
         },
         [&] { return state.distance + same_place; });
@@ -172,12 +171,13 @@ bool Geometry::intersect_one(ShapeRef shape, const Vec3& origin, const Vec3& dir
     return state.surface >= 0;
 }
 
-Geometry::View Geometry::view(const Vec3& origin, const Vec3& direction, double distance) const {
+Geometry::View Geometry::view(const Vec3& origin, const Vec3& direction, double distance, ShapeRef leaving) const {
     View found = View::clear;
     const double limit = distance - same_place;
     bvh_.walk(
         origin, direction,
         [&](std::uint32_t shape) {
+            if (shape == leaving) return false;
             HitState state;
             state.distance = limit;
             test(shape, origin, direction, state);
@@ -192,7 +192,7 @@ Geometry::View Geometry::view(const Vec3& origin, const Vec3& direction, double 
 Vec3 Geometry::normal(ShapeRef shape, const Vec3& point) const {
     const std::size_t i = index(shape);
     switch (kind(shape)) {
-        case triangle: return triangles_[i].normal;
+        case triangle: return triangles_[i].normal();
         case polygon: return polygons_[i].normal;
         case sphere: return spheres_[i].normal(point);
         case cone: return cones_[i].normal(point);

@@ -32,12 +32,12 @@ class Geometry {
     /// Builds the hierarchy; to be called once, after the last add().
     void build(std::vector<SurfaceRank> ranks, std::vector<char> blocks_light);
 
-    /// Nearest hit beyond `same_place` and nearer than state.distance.
-    void intersect(const Vec3& origin, const Vec3& direction, HitState& state) const;
+    /// Nearest hit beyond `same_place` and nearer than state.distance; `leaving` is a shape not to be tested.
+    void intersect(const Vec3& origin, const Vec3& direction, ShapeRef leaving, HitState& state) const;
     /// The same for one surface alone (a light source that is aimed at). False if it is missed.
     bool intersect_one(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const;
     /// blocked as soon as anything opaque is found nearer than `distance`; filtered if only other things are.
-    View view(const Vec3& origin, const Vec3& direction, double distance) const;
+    View view(const Vec3& origin, const Vec3& direction, double distance, ShapeRef leaving) const;
 
     /// Unit normal of a shape at a point on it.
     Vec3 normal(ShapeRef shape, const Vec3& point) const;
@@ -53,16 +53,15 @@ class Geometry {
     static Kind kind(ShapeRef shape) { return static_cast<Kind>(shape >> 29); }
     static std::size_t index(ShapeRef shape) { return shape & 0x1fffffffu; }
     void test(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const;
-    Box bounds(ShapeRef shape) const;
-    void note(Kind kind, std::size_t index, int surface);
+    void note(Kind kind, std::size_t index, int surface, const Box& box);
+    void sort_triangles();
     bool add_polygon(std::span<const double> vertices, int surface);
     bool add_cone(PrimitiveType type, std::span<const double> numbers, int surface);
 
     std::vector<Triangle> triangles_;
     std::vector<Polygon> polygons_;
     std::vector<std::unique_ptr<double[]>> corners_;
-    std::vector<Box> polygon_boxes_;    // for building only
-    std::vector<Box> triangle_boxes_;   // for building only
+    std::vector<Bvh::Item> items_;      // for building only
     std::vector<Sphere> spheres_;
     std::vector<Cone> cones_;
     std::vector<Ring> rings_;

@@ -36,6 +36,8 @@ enum RayKind : std::uint16_t {
     turning_rays = reflected_shadow | mirrored_ray | reflected_ambient | reflected_lobe,
 };
 
+inline constexpr std::uint32_t no_flat_shape = ~0u;
+
 struct Interaction;
 
 struct Ray {
@@ -45,6 +47,7 @@ struct Ray {
     double path_before = 0;         ///< length of the path from the eye to the origin
     double shadow_before = 0;       ///< length of the shadow rays before this one
     const Interaction* parent = nullptr;
+    std::uint32_t leaving = no_flat_shape;  ///< flat shape that the ray starts on and so cannot meet
     double weight = 1;              ///< share of the primary ray's value that this one can still change
     Spectrum coefficient;           ///< of this ray's radiance in its parent's
     int level = 0;                  ///< reflections so far
@@ -68,6 +71,7 @@ struct Interaction {
     Vec3 point;
     Vec3 normal;                    ///< of the surface, turned to the ray once a material has seen its back
     double cosine = 1;              ///< of ray and normal, negative from behind
+    std::uint32_t flat_shape = no_flat_shape;  ///< the shape if it is flat
     int surface = -1;               ///< index among the scene's surfaces, -1: nothing
     Vec3 perturbation{0};           ///< of the normal, the sum of the textures met so far
     bool flipped = false;

@@ -44,7 +44,7 @@ void Tracer::trace(Interaction& at) {
     } else if (meet_distant_source(at)) {
         shade_chain(scene_.surface(at.surface).modifier, at);
     }
-    if (!std::isfinite(at.radiance.mean())) {
+    if (!at.radiance.finite()) {
         ++bad_values_;
         at.radiance.clear();
         at.mirrored.clear();
@@ -69,7 +69,7 @@ bool Tracer::intersect(Interaction& at) {
     ++ray_count_;
     HitState state;
     if (at.ray->max_distance > tiny) state.distance = at.ray->max_distance;
-    scene_.geometry().intersect(at.ray->origin, at.ray->direction, state);
+    scene_.geometry().intersect(at.ray->origin, at.ray->direction, at.ray->leaving, state);
     if (state.surface < 0) {
         if (at.ray->max_distance > tiny) at.point = at.ray->origin + at.ray->direction * at.ray->max_distance;
         return false;
@@ -83,6 +83,7 @@ void Tracer::complete_hit(const HitState& state, Interaction& at) const {
     at.surface = state.surface;
     at.point = at.ray->origin + at.ray->direction * state.distance;
     at.normal = scene_.geometry().normal(state.shape, at.point);
+    at.flat_shape = Geometry::is_flat(state.shape) ? state.shape : Geometry::no_shape;
     at.cosine = -dot(at.ray->direction, at.normal);
 }
 
@@ -160,9 +161,7 @@ void Tracer::pass_through(Interaction& at) {
 }
 
 bool Tracer::is_flat(const Interaction& at) const {
-    if (at.surface < 0) return false;
-    const ShapeRef shape = scene_.geometry().shape_of(at.surface);
-    return shape != Geometry::no_shape && Geometry::is_flat(shape);
+    return at.flat_shape != Geometry::no_shape;
 }
 
 // From what a material scatters to child rays -----------------------------------------------------------------------------
@@ -242,6 +241,7 @@ bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, cons
         share = std::fmin(coefficient->maximum(), 1.0);  // weights never grow
     }
     child.parent = &from;
+    child.leaving = from.flat_shape;
     child.origin = from.point;
     child.kind = kind;
     child.lineage = parent.lineage | kind;

@@ -93,9 +93,10 @@ class Tracer {
     struct Hemisphere;
     void add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at);
     bool sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum);
-    bool sample_adaptively(const Hemisphere& half, int extra, Interaction& at, Spectrum& sum);
-    bool sample_cell(const Hemisphere& half, int cell, Interaction& at, Spectrum& radiance);
-    bool trace_ambient(const Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance);
+    bool sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spectrum& sum);
+    bool sample_cell(Hemisphere& half, int cell, Interaction& at, Spectrum& radiance);
+    bool spawn_ambient(Hemisphere& half, const Interaction& at);
+    bool trace_ambient(Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance);
 
     // sources/direct.cpp
     void add_direct(const Scattering& scattering, Interaction& at);

@@ -8,8 +8,8 @@
 
 namespace infra {
 
-/// Adds the primitives to an empty scene. id_size: bytes of a primitive's number in this file. Their place is the
-/// file without a line.
+/// Adds the primitives to an empty scene. id_size: bytes of a primitive's number in this file. Their place is
+/// the file without a line.
 ///   throws  Error for unknown types, modifiers not defined before, and truncated or senseless data
 void read_scene_section(ByteReader& in, Scene& scene, int id_size);
 

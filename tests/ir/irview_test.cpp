@@ -50,9 +50,9 @@ TEST_F(Irview, PrintsStatisticsOfEveryRegionAndChannel) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.text,
               "# region\tchannel\tpixels\tmean\tdeviation\tminimum\tmaximum\n"
-              "box\t0\t4\t6.5\t5.80229839\t1\t12\n"
-              "box\t1\t4\t106.5\t5.80229839\t101\t112\n"
-              "box\t2\t4\t206.5\t5.80229839\t201\t212\n"
+              "box\t0\t4\t6.5\t5.8022984\t1\t12\n"
+              "box\t1\t4\t106.5\t5.8022984\t101\t112\n"
+              "box\t2\t4\t206.5\t5.8022984\t201\t212\n"
               "dot\t0\t1\t55\t0\t55\t55\n"
               "dot\t1\t1\t155\t0\t155\t155\n"
               "dot\t2\t1\t255\t0\t255\t255\n");

@@ -15,7 +15,7 @@ using test::Outcome;
 
 /// A wall at y = 4 that fills the lower half of the default view, under a sky.
 constexpr const char* wall =
-    "void glow paint 0 0 4 2 3 4 0\n"
+    "void light paint 0 0 3 2 3 4\n"
     "paint polygon wall 0 0 12 -9 4 -9  9 4 -9  9 4 0  -9 4 0\n"
     "void glow sky_glow 0 0 4 1 1 1 0\n"
     "sky_glow source sky 0 0 4 0 0 1 180\n";
@@ -215,6 +215,7 @@ TEST_F(Rpict, ends_with_one_line_when_something_is_wrong) {
     EXPECT_NE(complaint("scene.rad").find("scene.rad"), std::string::npos);
     EXPECT_NE(complaint("a.oct b.oct").find("'a.oct'"), std::string::npos);
     EXPECT_NE(complaint("-o no_such_folder/p.hdr scene.oct").find("no_such_folder/p.hdr"), std::string::npos);
+    EXPECT_NE(complaint("-x 2000000000 -y 2000000000 scene.oct").find("too large"), std::string::npos);
     EXPECT_NE(complaint("-ap map scene.oct").find("'-ap': option is not supported"), std::string::npos);
 }
 

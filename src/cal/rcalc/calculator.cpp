@@ -16,8 +16,10 @@ Calculator::Calculator(Settings settings) : settings_(std::move(settings)), colu
     }
     if (!settings_.no_input && library.defines_variable("cond"))
         condition_ = library.compile("cond", Location{"cond"});
-    if (!settings_.no_input && library.mentions("recno")) library.define_channel("recno", record_number_channel);
-    if (!settings_.no_input && library.mentions("outno")) library.define_channel("outno", output_number_channel);
+    if (!settings_.no_input && library.mentions("recno"))
+        library.define_channel("recno", record_number_channel);
+    if (!settings_.no_input && library.mentions("outno"))
+        library.define_channel("outno", output_number_channel);
     writer_ = std::make_unique<RecordWriter>(settings_, library.compile_output_channels());
     evaluator_ = std::make_unique<cal::Evaluator>(library.link());
     host_.self = this;
@@ -31,10 +33,12 @@ double Calculator::channel(int number) {
     if (number == output_number_channel) return static_cast<double>(written_ + 1);
     const bool no_columns = settings_.no_input || template_;
     if (number == column_count_channel) return no_columns ? 0 : static_cast<double>(columns_.count());
-    if (number >= first_field_channel) return template_->number(static_cast<std::size_t>(number - first_field_channel));
+    if (number >= first_field_channel)
+        return template_->number(static_cast<std::size_t>(number - first_field_channel));
     if (no_columns)
-        throw Error("there are no input columns, but $" + std::to_string(number) + " is used",
-                    settings_.no_input ? "option -n reads no input" : "the input format gives its fields names");
+        throw Error(
+            "there are no input columns, but $" + std::to_string(number) + " is used",
+            settings_.no_input ? "option -n reads no input" : "the input format gives its fields names");
     if (number < 1) throw Error("columns are numbered from $1, not $" + std::to_string(number));
     return columns_.value(number);
 }
@@ -43,8 +47,7 @@ double Calculator::evaluate(cal::ExprId expression) {
     const auto faults = evaluator_->fault_count();
     const double value = evaluator_->evaluate(expression, host_);
     if (evaluator_->fault_count() > faults && !settings_.quiet) {
-        const std::string_view fault = evaluator_->last_fault();
-        std::fprintf(stderr, "rcalc: warning: %.*s", static_cast<int>(fault.size()), fault.data());
+        std::fprintf(stderr, "rcalc: warning: %s", evaluator_->last_fault().c_str());
         if (record_ > 0) std::fprintf(stderr, " in record %ld", record_);
         std::fputc('\n', stderr);
     }

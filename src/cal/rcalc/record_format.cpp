@@ -21,10 +21,12 @@ Field next_field(std::string_view& rest) {
     }
     const char opening = rest.size() > 1 ? rest[1] : '\0';
     if (opening != '{' && opening != '(')
-        throw Error("a '$' in a record format starts no field", "fields are ${number} and $(string), a dollar is $$");
+        throw Error("a '$' in a record format starts no field",
+                    "fields are ${number} and $(string), a dollar is $$");
     const std::size_t end = rest.find(opening == '{' ? '}' : ')');
     if (end == std::string_view::npos)
-        throw Error("a field of a record format is never closed: " + std::string(rest.substr(0, rest.find('\n'))));
+        throw Error("a field of a record format is never closed: " +
+                    std::string(rest.substr(0, rest.find('\n'))));
     field.kind = opening == '{' ? Field::Kind::number : Field::Kind::string;
     for (const char c : rest.substr(2, end - 2))
         if (!is_blank(c)) field.text += c;

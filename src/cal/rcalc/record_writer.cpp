@@ -54,9 +54,10 @@ void RecordWriter::write_binary(const std::function<double(cal::ExprId)>& evalua
     }
 }
 
-// A field next to other text on both sides takes the room it needs, one next to text on its left is set flush left in
-// its width, and one after a blank flush right.
-void RecordWriter::write_template(const std::function<double(cal::ExprId)>& evaluate, const Strings& strings) const {
+// A field next to other text on both sides takes the room it needs, one next to text on its left is set flush
+// left in its width, and one after a blank flush right.
+void RecordWriter::write_template(const std::function<double(cal::ExprId)>& evaluate,
+                                  const Strings& strings) const {
     const RecordFormat& format = *settings_.output_format;
     std::string record;
     bool text_before = false;
@@ -77,7 +78,8 @@ void RecordWriter::write_template(const std::function<double(cal::ExprId)>& eval
             text = known->second;
         }
         const bool last = i + 1 == format.size();
-        const bool blank_after = !last && format[i + 1].kind == Field::Kind::literal && format[i + 1].text.front() == ' ';
+        const bool blank_after =
+            !last && format[i + 1].kind == Field::Kind::literal && format[i + 1].text.front() == ' ';
         const bool text_after = !settings_.exact_blanks && !last && !blank_after;
         const auto width = static_cast<std::size_t>(field.width);
         const std::string padding(text.size() < width ? width - text.size() : 0, ' ');

@@ -24,7 +24,8 @@ class CommandLine {
             read_option();
         }
         settings_.files.assign(words_.begin() + static_cast<std::ptrdiff_t>(next_), words_.end());
-        if (settings_.no_input && !settings_.files.empty()) throw Error("option -n reads no input", "files were named");
+        if (settings_.no_input && !settings_.files.empty())
+            throw Error("option -n reads no input", "files were named");
         const bool formats = settings_.input_format && settings_.output_format;
         if (settings_.passive != Passive::off && !formats && !settings_.no_input)
             throw Error("options -p and -P need the formats -i and -o");
@@ -32,7 +33,9 @@ class CommandLine {
     }
 
   private:
-    [[noreturn]] void unknown() const { throw Error("unknown option " + option_, std::string("usage: ") + usage); }
+    [[noreturn]] void unknown() const {
+        throw Error("unknown option " + option_, std::string("usage: ") + usage);
+    }
 
     const std::string& argument() {
         if (next_ == words_.size()) throw Error("option " + option_ + " needs an argument");
@@ -41,30 +44,49 @@ class CommandLine {
 
     long count() {
         int value = 0;
-        if (!parse_int(argument(), value) || value < 0) throw Error("option " + option_ + " needs a whole number");
+        if (!parse_int(argument(), value) || value < 0)
+            throw Error("option " + option_ + " needs a whole number");
         return value;
     }
 
     static std::optional<NumberForm> number_form(char letter) {
         switch (letter) {
-            case 'a': return NumberForm::text;
-            case 'f': return NumberForm::float32;
-            case 'F': return NumberForm::float32_swapped;
-            case 'd': return NumberForm::float64;
-            case 'D': return NumberForm::float64_swapped;
-            default: return {};
+            case 'a':
+                return NumberForm::text;
+            case 'f':
+                return NumberForm::float32;
+            case 'F':
+                return NumberForm::float32_swapped;
+            case 'd':
+                return NumberForm::float64;
+            case 'D':
+                return NumberForm::float64_swapped;
+            default:
+                return {};
         }
     }
 
     void read_option() {
         Settings& s = settings_;
         switch (option_.size() > 1 ? option_[1] : '\0') {
-            case 'b': s.exact_blanks = !s.exact_blanks; break;
-            case 'l': s.ignore_newlines = !s.ignore_newlines; break;
-            case 'p': s.passive = Passive::unmatched; break;
-            case 'P': s.passive = Passive::unmatched_and_refused; break;
-            case 'w': s.quiet = !s.quiet; break;
-            case 'u': s.unbuffered = !s.unbuffered; break;
+            case 'b':
+                s.exact_blanks = !s.exact_blanks;
+                break;
+            case 'l':
+                s.ignore_newlines = !s.ignore_newlines;
+                break;
+            case 'p':
+                s.passive = Passive::unmatched;
+                break;
+            case 'P':
+                s.passive = Passive::unmatched_and_refused;
+                break;
+            case 'w':
+                s.quiet = !s.quiet;
+                break;
+            case 'u':
+                s.unbuffered = !s.unbuffered;
+                break;
             case 'n':
                 s.no_input = true;
                 s.library.set_constant_folding(false);
@@ -73,12 +95,23 @@ class CommandLine {
                 if (option_.size() < 3) throw Error("option -t needs a character joined on", "as in -t,");
                 s.separator = option_[2];
                 break;
-            case 's': read_preset(); break;
-            case 'f': s.library.load_file(argument()); break;
-            case 'e': s.library.define(argument(), Location{"-e", 1, 1}); break;
-            case 'i': read_input_option(); break;
-            case 'o': read_output_option(); break;
-            default: unknown();
+            case 's':
+                read_preset();
+                break;
+            case 'f':
+                s.library.load_file(argument());
+                break;
+            case 'e':
+                s.library.define(argument(), Location{"-e", 1, 1});
+                break;
+            case 'i':
+                read_input_option();
+                break;
+            case 'o':
+                read_output_option();
+                break;
+            default:
+                unknown();
         }
     }
 

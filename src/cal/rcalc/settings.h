@@ -25,16 +25,16 @@ struct Settings {
     std::optional<RecordFormat> output_format;
     NumberForm input_form = NumberForm::text;
     NumberForm output_form = NumberForm::text;
-    std::size_t binary_columns = 0;               ///< numbers a record, where the input is binary
-    std::map<std::string, std::string> presets;   ///< string variables given with -s
-    long input_limit = 0;                         ///< records to read from a file, 0: all
-    long output_limit = 0;                        ///< records to write for a file, 0: all
+    std::size_t binary_columns = 0;              ///< numbers a record, where the input is binary
+    std::map<std::string, std::string> presets;  ///< string variables given with -s
+    long input_limit = 0;                        ///< records to read from a file, 0: all
+    long output_limit = 0;                       ///< records to write for a file, 0: all
     char separator = '\t';
-    bool exact_blanks = false;                    ///< -b
-    bool ignore_newlines = false;                 ///< -l
-    bool no_input = false;                        ///< -n
-    bool quiet = false;                           ///< -w
-    bool unbuffered = false;                      ///< -u
+    bool exact_blanks = false;     ///< -b
+    bool ignore_newlines = false;  ///< -l
+    bool no_input = false;         ///< -n
+    bool quiet = false;            ///< -w
+    bool unbuffered = false;       ///< -u
     Passive passive = Passive::off;
     std::vector<std::string> files;
 };

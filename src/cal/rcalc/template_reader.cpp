@@ -14,7 +14,8 @@ bool is_number_character(int c) {
 
 }  // namespace
 
-TemplateReader::TemplateReader(const Settings& settings) : settings_(settings), format_(*settings.input_format) {
+TemplateReader::TemplateReader(const Settings& settings)
+    : settings_(settings), format_(*settings.input_format) {
     for (const Field& field : format_)
         if (field.kind == Field::Kind::number &&
             std::find(number_names_.begin(), number_names_.end(), field.text) == number_names_.end())
@@ -24,7 +25,8 @@ TemplateReader::TemplateReader(const Settings& settings) : settings_(settings), 
     // Blanks before a record are skipped, so the template must not start with any.
     if (settings_.exact_blanks || format_.empty() || format_.front().kind != Field::Kind::literal) return;
     std::string& start = format_.front().text;
-    start.erase(start.begin(), std::find_if(start.begin(), start.end(), [this](char c) { return !is_blank(c); }));
+    start.erase(start.begin(),
+                std::find_if(start.begin(), start.end(), [this](char c) { return !is_blank(c); }));
     if (start.empty()) format_.erase(format_.begin());
 }
 
@@ -102,7 +104,8 @@ bool TemplateReader::matches(std::size_t index) {
     if (field.kind == Field::Kind::literal) return match_literal(field.text);
     const bool delimited = index + 1 < format_.size() && format_[index + 1].kind == Field::Kind::literal;
     const int delimiter = delimited ? static_cast<unsigned char>(format_[index + 1].text.front()) : EOF;
-    return field.kind == Field::Kind::string ? match_string(field, delimiter) : match_number(field, delimiter);
+    return field.kind == Field::Kind::string ? match_string(field, delimiter)
+                                             : match_number(field, delimiter);
 }
 
 bool TemplateReader::match_literal(const std::string& text) {
@@ -121,8 +124,8 @@ bool TemplateReader::match_literal(const std::string& text) {
     return true;
 }
 
-/// Whether a field that has `length` characters goes on with the current one: up to the delimiter, or for the width
-/// it has in the template where there is none or blanks count.
+/// Whether a field that has `length` characters goes on with the current one: up to the delimiter, or for the
+/// width it has in the template where there is none or blanks count.
 bool TemplateReader::continues(std::size_t length, int delimiter, int width) const {
     if (settings_.exact_blanks || delimiter == EOF) return length < static_cast<std::size_t>(width);
     return is_blank(delimiter) ? !is_blank(current()) : current() != delimiter;

@@ -19,7 +19,8 @@ class TemplateReader {
 
     void open(std::FILE* file);
 
-    /// Finds the next matching record; false at the end. strings() and numbers() are then those of the record.
+    /// Finds the next matching record; false at the end. strings() and numbers() are then those of the
+    /// record.
     bool read();
 
     /// Goes on behind the record just read. A record refused by cond is passed on in passive mode -P.

@@ -14,19 +14,23 @@ namespace {
 constexpr double tiny = 1e-6;
 constexpr int least_cells_for_extra = 49;  // fewer rays say too little of where the differences are
 
+/// sin and cos of an angle within pi/4 of 0, to 1e-11: their Taylor series.
+void small_sin_cos(double t, double& s, double& c) {
+    const double q = t * t;
+    s = t * (1 + q * (-1.0 / 6 + q * (1.0 / 120 + q * (-1.0 / 5040 + q * (1.0 / 362880 - q * (1.0 / 39916800))))));
+    c = 1 + q * (-1.0 / 2 + q * (1.0 / 24 + q * (-1.0 / 720 + q * (1.0 / 40320 + q * (-1.0 / 3628800 + q * (1.0 / 479001600))))));
+}
+
 /// Direction of the hemisphere around z for a point of the unit square, with density cos / pi.
 Vec3 cosine_direction(double x, double y) {
     const double a = 2 * x - 1, b = 2 * y - 1;
-    double radius, angle;
     if (a == 0 && b == 0) return {0, 0, 1};
-    if (std::fabs(a) > std::fabs(b)) {
-        radius = a;
-        angle = (std::numbers::pi / 4) * (b / a);
-    } else {
-        radius = b;
-        angle = (std::numbers::pi / 2) - (std::numbers::pi / 4) * (a / b);
-    }
-    return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(std::fmax(0.0, 1 - radius * radius))};
+    const bool wide = std::fabs(a) > std::fabs(b);
+    const double radius = wide ? a : b;
+    double s, c;
+    small_sin_cos((std::numbers::pi / 4) * (wide ? b / a : a / b), s, c);
+    const double height = std::sqrt(std::fmax(0.0, 1 - radius * radius));
+    return wide ? Vec3{radius * c, radius * s, height} : Vec3{radius * s, radius * c, height};
 }
 
 /// Where a cell's neighbours differ from it its value is uncertain: squared differences, relative to brightness.
@@ -59,8 +63,11 @@ struct Tracer::Hemisphere {
     std::uint16_t kind;
     Vec3 normal, u, v;   ///< frame around the normal with its textures
     Vec3 surface_normal;
+    bool tilted;
     int divisions;       ///< along each side of the square
     Spectrum share;      ///< coefficient of one ray
+    Ray ray;             ///< each of them but for its direction
+    bool steady;         ///< all rays are heavy enough to be traced, so that `ray` serves for all
 };
 
 void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at) {
@@ -69,7 +76,7 @@ void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool o
                           (at.surface < 0 || scene_.surface(at.surface).in_ambient);
     if (computed) {
         Hemisphere half{other_side ? through_ambient : reflected_ambient, normal, Vec3{0}, Vec3{0},
-                        other_side ? -at.normal : at.normal, 1, coefficient};
+                        other_side ? -at.normal : at.normal, at.textured(), 1, coefficient, Ray(at.channels()), false};
         make_frame(normal, half.u, half.v);
         Spectrum sum(at.channels());
         if (sample_hemisphere(half, at, sum)) {
@@ -82,15 +89,22 @@ void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool o
     at.radiance.add_product(assumed, coefficient);
 }
 
+bool Tracer::spawn_ambient(Hemisphere& half, const Interaction& at) {
+    if (!spawn(half.ray, half.kind, at, &half.share)) return false;
+    half.ray.ambient_level = at.ray->ambient_level + 1;
+    return true;
+}
+
 // One ray through a point of the unit square that maps to the hemisphere. False if it was not traced.
-bool Tracer::trace_ambient(const Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance) {
-    Ray child(at.channels());
-    if (!spawn(child, half.kind, at, &half.share)) return false;
-    ++child.ambient_level;
+bool Tracer::trace_ambient(Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance) {
+    if (!half.steady && !spawn_ambient(half, at)) return false;
+    Ray& child = half.ray;
     const Vec3 local = cosine_direction(x, y);
-    child.direction = normalize(half.u * local.x + half.v * local.y + half.normal * local.z);
-    const double height = dot(child.direction, half.surface_normal);
-    if (height < 0) child.direction -= half.surface_normal * (2.0 * height);  // tilted by a texture
+    child.direction = half.u * local.x + half.v * local.y + half.normal * local.z;
+    if (half.tilted) {  // by a texture: what falls below the surface is turned back
+        const double height = dot(child.direction, half.surface_normal);
+        if (height < 0) child.direction -= half.surface_normal * (2.0 * height);
+    }
     Interaction seen(child);
     trace(seen);
     radiance = seen.radiance * child.coefficient;
@@ -108,6 +122,10 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
     half.divisions = std::max(1, static_cast<int>(std::sqrt(settings_.ambient_divisions * weight) + 0.5));
     const int cell_count = half.divisions * half.divisions;
     half.share *= 1.0f / static_cast<float>(cell_count);
+    const double ray_weight = at.weight * half.share.maximum();
+    half.steady = ray_weight > settings_.min_weight && half.share.maximum() <= 1;
+    if (half.steady && !spawn_ambient(half, at)) return false;
+
     const int extra = static_cast<int>(settings_.ambient_super_samples * weight + 0.5);
     if (extra >= 4 * half.divisions && cell_count > least_cells_for_extra)
         return sample_adaptively(half, extra, at, sum);
@@ -123,7 +141,7 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
 }
 
 // One ray through a random place of a cell.
-bool Tracer::sample_cell(const Hemisphere& half, int cell, Interaction& at, Spectrum& radiance) {
+bool Tracer::sample_cell(Hemisphere& half, int cell, Interaction& at, Spectrum& radiance) {
     const int n = half.divisions;
     const double x = (cell / n + random_.uniform()) / n;
     const double y = (cell % n + random_.uniform()) / n;
@@ -131,7 +149,7 @@ bool Tracer::sample_cell(const Hemisphere& half, int cell, Interaction& at, Spec
 }
 
 // A ray through each cell, then `extra` rays where neighbouring cells differ most.
-bool Tracer::sample_adaptively(const Hemisphere& half, int extra, Interaction& at, Spectrum& sum) {
+bool Tracer::sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spectrum& sum) {
     const auto level = static_cast<std::size_t>(at.ray->ambient_level);
     if (scratch_->hemispheres.size() <= level) scratch_->hemispheres.resize(level + 1);
     std::vector<HemisphereCell> cells = std::move(scratch_->hemispheres[level]);

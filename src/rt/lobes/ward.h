@@ -31,7 +31,8 @@ inline int ward_sample_count(double specular_samples, double ray_weight) {
 /// Length of a slope drawn from the Gaussian; -ss below 1 narrows it.
 inline double ward_slope(const WardSetting& s, double u) {
     if (s.specular_samples >= 0 && s.specular_samples < 1) u = 1.0 - s.specular_samples * u;
-    return u <= same_place ? 1.0 : std::sqrt(s.alpha_squared * -std::log(u));
+    constexpr double least = 0x1p-53;  // the generator's step: keeps the slope finite
+    return std::sqrt(s.alpha_squared * -std::log(u > least ? u : least));
 }
 
 class WardReflection final : public Lobe {

@@ -7,6 +7,10 @@
 namespace infra {
 namespace {
 
+/// Samples worth placing in a gap beside which the picture changes: its middle, then the middles of both
+/// halves. Found by trial: as few pixels off as RADIANCE leaves, for some tenth fewer rays.
+constexpr int expected_at_edge = 3;
+
 /// 0, first, first + step, ... , last.
 std::vector<int> positions(int first, int step, int last) {
     std::vector<int> result{0};
@@ -77,7 +81,7 @@ void GapFiller::fill_line(int line) {
     int found = 0;
     for (std::size_t i = 1; i < columns.size(); ++i) {
         const int left = columns[i - 1], right = columns[i];
-        const int expected = std::max(found / 2, neighbours_differ(line, left, right) ? 1 : 0);
+        const int expected = std::max(found / 2, neighbours_differ(line, left, right) ? expected_at_edge : 0);
         found = fill({left, grid_.rows()[line], 1, 0, right - left}, expected);
     }
 }

@@ -22,7 +22,6 @@ LoadedScene load_scene(const std::string& octree, const RenderOptions& options, 
     loaded.header = std::move(file.header);
     loaded.scene =
         CompiledScene::compile(std::move(file.scene), options.settings, rgb_channels, options.definitions);
-    for (const std::string& warning : loaded.scene->warnings()) warn(warning);
     return loaded;
 }
 

@@ -18,7 +18,8 @@ struct LoadedScene {
     std::vector<std::string> header;  ///< of the octree: how it came about
 };
 
-/// Reads and compiles an octree: a file, "!command", or "" for the standard input.
+/// Reads and compiles an octree: a file, "!command", or "" for the standard input. The scene's own warnings,
+/// which are about shading, stay the caller's.
 LoadedScene load_scene(const std::string& octree, const RenderOptions& options, const WarningSink& warn);
 
 /// The command line and software that a picture or table was made with, after what the octree says about

@@ -17,7 +17,7 @@ namespace {
 
 /// Rays that one thread takes at a time, and that all of them read ahead.
 constexpr int rays_a_piece = 32;
-constexpr std::size_t pieces_a_thread = 16;
+constexpr std::size_t pieces_a_thread = 256;
 
 /// How far RADIANCE moves the point of -I off the surface it may lie on.
 constexpr double irradiance_offset = 1.1e-4;

@@ -1,5 +1,6 @@
 #include "rt/programs/rpict.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "common/atomic_file.h"
@@ -14,6 +15,7 @@ namespace infra {
 namespace {
 
 constexpr int widest_spacing = 16;
+constexpr double most_pixels = 1e9;
 /// RADIANCE's standard primaries, which tell other programs that the channels are its RGB.
 constexpr const char* standard_primaries =
     "PRIMARIES= 0.6400 0.3300 0.2900 0.6000 0.1500 0.0600 0.3333 0.3333";
@@ -28,6 +30,8 @@ FrameOptions frame_options(RpictOptions& options, const WarningSink& warn) {
         spacing = widest_spacing;
     }
     fit_resolution(view_aspect(options.view), options.pixel_aspect, options.width, options.height);
+    if (static_cast<double>(options.width) * options.height > most_pixels)
+        throw Error(formatted("a picture of %d x %d pixels is too large", options.width, options.height));
     return {.width = options.width,
             .height = options.height,
             .pixel_jitter = options.pixel_jitter,
@@ -98,6 +102,7 @@ int rpict(int argc, char** argv) {
     check_writable(options.depth_output);
 
     const LoadedScene loaded = load_scene(operands->empty() ? "" : operands->front(), options.render, warn);
+    for (const std::string& warning : loaded.scene->warnings()) warn(warning);
     const FrameOptions size = frame_options(options, warn);
     const InterruptGuard guard;
     Workers workers(options.threads);

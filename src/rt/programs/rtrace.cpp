@@ -37,6 +37,8 @@ int rtrace(int argc, char** argv) {
     const OutputSpec spec = output_spec(options, warn);
 
     const LoadedScene loaded = load_scene(operands->front(), options.render, warn);
+    if (spec.needs_radiance())
+        for (const std::string& warning : loaded.scene->warnings()) warn(warning);
     std::string opening;
     if (options.header)
         opening = header_text(header_lines(loaded.header, table.command_line()), options,

@@ -1,6 +1,6 @@
 #include "rt/programs/value_writer.h"
 
-#include <cstdio>
+#include <charconv>
 
 #include "common/rgbe.h"
 
@@ -34,8 +34,9 @@ void ValueWriter::real(double value) {
     } else if (format_ == NumberFormat::doubles) {
         append_raw(out_, value);
     } else {
-        char text[32];
-        out_.append(text, static_cast<std::size_t>(std::snprintf(text, sizeof text, "%e\t", value)));
+        char text[32];  // "%e", several times faster
+        const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 6).ptr;
+        out_.append(text, end).push_back('\t');
     }
 }
 

@@ -22,14 +22,30 @@ PolygonPlane polygon_plane(std::span<const double> vertices) {
 
 Triangle::Triangle(const Vec3& a, const Vec3& b, const Vec3& c, int surface_index) : surface(surface_index) {
     const Vec3 ab = b - a, ac = c - a;
-    const Vec3 scaled_normal = cross(ab, ac);
-    const double squared = dot(scaled_normal, scaled_normal);
-    normal = scaled_normal / std::sqrt(squared);
-    offset = (dot(normal, a) + dot(normal, b) + dot(normal, c)) / 3.0;
-    u_axis = cross(ac, scaled_normal) / squared;
-    v_axis = cross(scaled_normal, ab) / squared;
-    u0 = -dot(a, u_axis);
-    v0 = -dot(a, v_axis);
+    const Vec3 n = cross(ab, ac);
+    int k = std::fabs(n.y) > std::fabs(n.x) ? 1 : 0;
+    if (std::fabs(n.z) > std::fabs(n[k])) k = 2;
+    const int u = (k + 1) % 3, v = (k + 2) % 3;
+    axis = static_cast<std::uint8_t>(k);
+    reversed = n[k] < 0;
+    plane_u = n[u] / n[k];
+    plane_v = n[v] / n[k];
+    plane_d = a[k] + plane_u * a[u] + plane_v * a[v];
+    const double area = n[k];  // of the projected parallelogram, signed
+    b_u = ac[v] / area;
+    b_v = -ac[u] / area;
+    b_d = (a[v] * ac[u] - a[u] * ac[v]) / area;
+    c_u = -ab[v] / area;
+    c_v = ab[u] / area;
+    c_d = (a[u] * ab[v] - a[v] * ab[u]) / area;
+}
+
+Vec3 Triangle::normal() const {
+    Vec3 n;
+    n[axis] = 1;
+    n[(axis + 1) % 3] = plane_u;
+    n[(axis + 2) % 3] = plane_v;
+    return n * ((reversed ? -1.0 : 1.0) / length(n));
 }
 
 }  // namespace infra

@@ -245,7 +245,7 @@ bool Tracer::test_shadow(Contribution& contribution, const Interaction& at) {
     ray.aimed_source = contribution.source;
     ray.coefficient = contribution.coefficient;
     if (!observer_) {
-        const Geometry::View view = scene_.geometry().view(ray.origin, ray.direction, contribution.distance);
+        const Geometry::View view = scene_.geometry().view(ray.origin, ray.direction, contribution.distance, ray.leaving);
         if (view != Geometry::View::filtered) {
             ++ray_count_;
             return view == Geometry::View::clear;

@@ -1,0 +1,148 @@
+// What every row of the modifier table has to keep, with an example of each type: a row without one fails.
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+
+#include "rt/materials/scattering.h"
+#include "rt/materials/surface_material.h"
+#include "rt/modifier_table.h"
+#include "test_tables.h"
+#include "traced_scene.h"
+
+namespace infra {
+namespace {
+
+using enum PrimitiveType;
+
+constexpr double degree = std::numbers::pi / 180;
+
+struct Example {
+    PrimitiveType type;
+    std::string text;      ///< defines the modifier "m"
+    double emission = 0;   ///< radiance that it sends out by itself
+};
+
+std::vector<Example> examples(const test::TemporaryFolder& folder) {
+    std::vector<Example> all = {
+        {plastic, "void plastic m 0 0 5 .7 .5 .3 0 0"},
+        {plastic, "void plastic m 0 0 5 .7 .5 .3 .05 0"},
+        {plastic, "void plastic m 0 0 5 1 1 1 .3 .2"},
+        {metal, "void metal m 0 0 5 .7 .5 .3 .9 0"},
+        {metal, "void metal m 0 0 5 1 .5 .3 1 .3"},
+        {trans, "void trans m 0 0 7 .9 .8 .7 .05 0 .5 .5"},
+        {trans, "void trans m 0 0 7 1 1 1 .1 .2 .6 .4"},
+        {glass, "void glass m 0 0 3 .96 .9 .8"},
+        {glass, "void glass m 0 0 4 1 1 1 1.3"},
+        {light, "void light m 0 0 3 2 2 2", 2},
+        {glow, "void glow m 0 0 4 2 2 2 0", 2},
+        {glow, "void glow m 0 0 4 2 2 2 5", 2},
+        {illum, "void illum m 0 0 3 2 2 2"},
+        {illum, "void plastic shown 0 0 5 .5 .5 .5 0 0 void illum m 1 shown 0 3 2 2 2"},
+        {spotlight, "void spotlight m 0 0 7 2 2 2 90 0 0 1", 2},
+        {emissive, "void emissive m 0 0 3 2 2 2", 2},
+        {emissive, "void plastic skin 0 0 5 .5 .5 .5 .1 .1 void emissive m 1 skin 0 3 2 2 2", 2},
+        {brightfunc, "void brightfunc half 2 if(Px,.5,1) . 0 0 half plastic m 0 0 5 1 1 1 0 0"},
+        {colorfunc, "void colorfunc tint 4 .5 .6 Py*Py/(1+Py*Py) . 0 0 tint plastic m 0 0 5 1 1 1 0 0"},
+        {texfunc, "void texfunc waves 4 .3*sin(9*Px) .2 0 . 0 0 waves plastic m 0 0 5 1 1 1 .2 .1"},
+        {mixfunc,
+         "void plastic a 0 0 5 1 1 1 0 0 void metal b 0 0 5 .5 .5 .5 1 0 void mixfunc m 4 a b .3 . 0 0"},
+        {mixfunc, "void plastic a 0 0 5 1 1 1 0 0 void mixfunc m 4 a void .5 . 0 0"},
+    };
+    for (const auto& table : test::write_tables(folder)) {
+        all.push_back({nrlbrdf, "void nrlbrdf m 1 " + table.path + " 0 5 1 1 .5 4 .2"});
+        all.push_back({nrlbrdf, "void nrlbrdf m 1 " + table.path + " 0 8 1 1 .5 4 .2 2 2 2", 2});
+    }
+    return all;
+}
+
+const char* const plate = "\nm ring plate 0 0 8 0 0 0 0 0 1 0 1\n";
+
+TEST(ModifierTable, HasARowOnceForEachTypeAndAllAreModifiers) {
+    std::set<PrimitiveType> seen;
+    for (const ModifierRow& row : modifier_table()) {
+        EXPECT_TRUE(info(row.type).is_modifier()) << name(row.type);
+        EXPECT_TRUE(seen.insert(row.type).second) << name(row.type) << " stands twice";
+        EXPECT_EQ(find_modifier_row(row.type), &row);
+    }
+    EXPECT_EQ(find_modifier_row(sphere), nullptr);
+}
+
+TEST(ModifierTable, HasAnExampleForEachRow) {
+    const test::TemporaryFolder folder;
+    std::set<PrimitiveType> shown;
+    for (const Example& example : examples(folder)) shown.insert(example.type);
+    for (const ModifierRow& row : modifier_table())
+        EXPECT_TRUE(shown.contains(row.type)) << name(row.type) << ": add an example to this test";
+}
+
+// In a surrounding of radiance 1 nothing but emission may bring more than 1 back, from either side.
+TEST(EveryModifier, ReflectsAndTransmitsNoMoreThanItGets) {
+    const test::TemporaryFolder folder;
+    for (const Example& example : examples(folder)) {
+        test::TracedScene scene(example.text + plate + test::surrounding(1), test::bounce_settings(4));
+        for (const double angle : {0.0, 45.0, 60.0, 80.0, 85.0})
+            for (const double side : {1.0, -1.0}) {
+                const Vec3 to_viewer = test::direction(angle * degree, 0.4) * side;
+                const auto seen = scene.mean_radiance(2000, Vec3{0.1, 0.2, 0} + to_viewer * 3.0, -to_viewer);
+                EXPECT_LE(seen.mean, example.emission + 1 + 3 * seen.error + test::rounding)
+                    << example.text << " at " << angle << " deg, side " << side;
+                EXPECT_GE(seen.mean, 0) << example.text;
+            }
+        EXPECT_EQ(scene.tracer().bad_values(), 0u) << example.text;
+    }
+}
+
+TEST(EveryModifier, ShowsItsEmissionWhereNothingElseShines) {
+    const test::TemporaryFolder folder;
+    for (const Example& example : examples(folder)) {
+        test::TracedScene scene(example.text + plate, test::bounce_settings(1));
+        EXPECT_EQ(scene.radiance({0.1, 0.2, 3}, {0, 0, -1})[0], static_cast<float>(example.emission)) << example.text;
+    }
+}
+
+// The material of a scene's first surface, where it scatters.
+const SurfaceMaterial* scattering_material(const CompiledScene& scene) {
+    return dynamic_cast<const SurfaceMaterial*>(scene.surface(0).modifier);
+}
+
+TEST(EveryMaterial, EvaluatesToFiniteValuesAndOpaqueOnesToNoneBelow) {
+    const test::TemporaryFolder folder;
+    int tested = 0;
+    for (const Example& example : examples(folder)) {
+        test::TracedScene scene(example.text + plate, test::bounce_settings(1));
+        const SurfaceMaterial* material = scattering_material(scene.compiled());
+        if (!material) continue;
+        ++tested;
+        RandomStream random(1, 1);
+        for (int n = 0; n < 500; ++n) {
+            Ray ray(3);
+            const Vec3 wo = test::direction(std::acos(random.uniform()), 2 * std::numbers::pi * random.uniform());
+            ray.origin = wo;
+            ray.direction = -wo;
+            Interaction at(ray);
+            at.distance = 1;
+            at.point = {0, 0, 0};
+            at.normal = {0, 0, 1};
+            at.cosine = wo.z;
+            at.surface = 0;
+            Scattering scattering(at.perturbed_normal(), 3);
+            material->scatter(at, true, scene.settings(), false, scattering);
+            const Vec3 wi =
+                test::direction(std::acos(1 - 2 * random.uniform()), 2 * std::numbers::pi * random.uniform());
+            Spectrum f(3);
+            for (const double omega : {0.0, 1e-4, 0.1}) {
+                scattering.eval(wi, omega, f);
+                for (int c = 0; c < 3; ++c) {
+                    EXPECT_TRUE(std::isfinite(f[c])) << example.text;
+                    EXPECT_GE(f[c], 0.0f) << example.text;
+                    if (wi.z < 0 && !material->traits()->transparent) EXPECT_EQ(f[c], 0.0f) << example.text;
+                }
+            }
+        }
+    }
+    EXPECT_GE(tested, 10);
+}
+
+}  // namespace
+}  // namespace infra
