@@ -35,8 +35,8 @@ std::array<double, 210> samples() {
 [[gnu::noinline]] double handwritten_sky(const infra::Vec3& d, const std::array<double, 210>& values) {
     const double row = std::clamp(std::acos(std::clamp(d.y, -1., 1.)) * (18 / std::numbers::pi), 0., 9.);
     const double row0 = std::min(std::floor(row), 8.);
-    const double turn = d.x * d.x + d.z * d.z > 0 ? std::atan2(-d.z, -d.x) : 0;
-    const double column = turn * (10 / std::numbers::pi) + 10;
+    const double turn = d.x * d.x + d.z * d.z > 0 ? std::atan2(d.z, -d.x) : 0;
+    const double column = turn * (-10 / std::numbers::pi) + 10;
     const double column0 = std::clamp(std::floor(column), 0., 19.);
     const auto first = static_cast<std::size_t>(10 * column0 + row0);
     const double down = row - row0, round = column - column0;

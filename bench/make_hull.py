@@ -18,7 +18,7 @@ PLAIN = """\
 void plastic paint  0 0 5 .45 .47 .5 .04 .1
 void plastic deck_paint  0 0 5 .3 .3 .28 0 0
 void metal steel  0 0 5 .6 .6 .6 .8 .05
-void glow hot  0 0 4 2 2 2 0
+void glow hot  0 0 4 60 60 60 0
 """
 INFRARED = """\
 void plastic paint_0  0 0 5 .15 .15 .15 .04 .1

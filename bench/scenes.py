@@ -115,7 +115,7 @@ def hull_scene(folder, scale):
     write_rays(os.path.join(folder, "hull.rays"), (ray() for _ in range(count)))
     size = round(960 * math.sqrt(scale)), round(480 * math.sqrt(scale))
     return Scene("hull", ["hull_sky.rad", "hull.rad"], "-ab 1 -ad 16 -as 0 -aa 0 -dj 0 -lr 4 -lw 1e-4".split(),
-                 "-vtv -vp 190 -150 35 -vd -.71 .7 -.16 -vu 0 0 1 -vh 36 -vv 18.46".split(), size, "hull.rays", count)
+                 "-vtv -vp 190 -150 35 -vd -.65 .75 -.13 -vu 0 0 1 -vh 36 -vv 18.46".split(), size, "hull.rays", count)
 
 
 SCENES = {"panels": panels_scene, "sky": sky_scene, "hull": hull_scene}

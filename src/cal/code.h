@@ -17,23 +17,25 @@
 namespace infra::cal {
 
 enum class Opcode : std::uint8_t {
-    move,               ///< dst = a
-    channel,            ///< dst = $data
-    argument,           ///< dst = arg(a)
-    argument_constant,  ///< dst = real argument number data, from 0
-    argument_affine,    ///< dst = arg(k0 + k1*a + k2*b), the k in three registers from c on
-    negate,             ///< dst = -a
-    add,                ///< dst = a + b
-    subtract,           ///< dst = a - b
-    multiply,           ///< dst = a * b
-    divide,             ///< dst = a / b, 0 if b is 0
-    power,              ///< dst = a ^ b
-    minimum,            ///< dst = min(a, b)
-    maximum,            ///< dst = max(a, b)
-    clamp,              ///< dst = max(min(a, c), b)
-    multiply_add,       ///< dst = a * b + c
-    interpolate,        ///< dst = (1 - a) * b + a * c
-    square_root,        ///< dst = sqrt(a), and so on
+    move,                   ///< dst = a
+    channel,                ///< dst = $data
+    argument,               ///< dst = arg(a)
+    argument_constant,      ///< dst = real argument number data, from 0
+    argument_affine,        ///< dst = arg(k0 + k1*a + k2*b), the k in three registers from c on
+    interpolate_arguments,  ///< dst = (1-t)*arg(k0 + k1*a + k2*b) + t*arg(k3 + k1*a + k2*b), t in register
+                            ///< data
+    negate,                 ///< dst = -a
+    add,                    ///< dst = a + b
+    subtract,               ///< dst = a - b
+    multiply,               ///< dst = a * b
+    divide,                 ///< dst = a / b, 0 if b is 0
+    power,                  ///< dst = a ^ b
+    minimum,                ///< dst = min(a, b)
+    maximum,                ///< dst = max(a, b)
+    clamp,                  ///< dst = max(min(a, c), b)
+    multiply_add,           ///< dst = a * b + c
+    interpolate,            ///< dst = (1 - a) * b + a * c
+    square_root,            ///< dst = sqrt(a), and so on
     floor,
     ceiling,
     sine,

@@ -65,6 +65,7 @@ class Generator {
     Register emit_here(VertexId id);
     Register emit_sum(VertexId id);
     bool emit_clamp(VertexId id, Register& dst);
+    bool emit_table_step(VertexId t, VertexId from, VertexId to, Register& dst);
     bool emit_affine_argument(VertexId id, Register dst);
     Register emit_if(VertexId id);
     Register emit_select(VertexId id);

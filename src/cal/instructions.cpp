@@ -113,6 +113,13 @@ double argument_affine(const Instruction* i, double* r, Machine& m, double) {
     return store(m.real_argument(k[0] + k[1] * r[i->a] + k[2] * r[i->b]), i, r, m);
 }
 
+double interpolate_arguments(const Instruction* i, double* r, Machine& m, double) {
+    const double* const k = r + i->c;
+    const double offset = k[1] * r[i->a] + k[2] * r[i->b];
+    return store(interpolated(r[i->data], m.real_argument(k[0] + offset), m.real_argument(k[3] + offset)), i,
+                 r, m);
+}
+
 double builtin(const Instruction* i, double* r, Machine& m, double) {
     const Builtin& function = m.code.builtins[i->data];
     const double value = function.call(r + i->a, m.host);
@@ -191,6 +198,8 @@ Variants variants(Opcode opcode) {
             return {argument_constant};
         case Opcode::argument_affine:
             return {argument_affine};
+        case Opcode::interpolate_arguments:
+            return {interpolate_arguments};
         case Opcode::negate:
             return unaries<negated>;
         case Opcode::add:

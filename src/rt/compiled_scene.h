@@ -10,17 +10,10 @@
 #include "rt/modifier.h"
 #include "rt/settings.h"
 #include "rt/sources/light_source.h"
+#include "rt/surface_table.h"
 #include "scene/scene.h"
 
 namespace infra {
-
-struct Surface {
-    PrimitiveId primitive = void_primitive;
-    const Modifier* modifier = nullptr;        ///< first of its chain, nullptr: void
-    const MaterialTraits* material = nullptr;  ///< nullptr: a surface that rays pass
-    int source = -1;                           ///< light source number, -1: none
-    bool in_ambient = true;                    ///< takes part in the diffuse indirect calculation (-ai, -ae)
-};
 
 /// A definition given with -e (text) or -f (file name).
 struct FunctionDefinition {
@@ -40,8 +33,9 @@ class CompiledScene {
     const Scene& text() const { return text_; }
     const Geometry& geometry() const { return geometry_; }
     const cal::Program& program() const { return *program_; }
-    const std::vector<Surface>& surfaces() const { return surfaces_; }
-    const Surface& surface(int i) const { return surfaces_[static_cast<std::size_t>(i)]; }
+    const Surface& surface(int i) const { return surfaces_[i]; }
+    /// Modifier and material of a surface.
+    const Finish& finish(int surface) const { return surfaces_.finish(surface); }
     const std::vector<LightSource>& sources() const { return sources_; }
     const LightSource& source(int i) const { return sources_[static_cast<std::size_t>(i)]; }
     /// Sources at infinity in the order of definition.
@@ -63,13 +57,15 @@ class CompiledScene {
   private:
     friend class SceneCompiler;
     CompiledScene() = default;
+    CompiledScene(const CompiledScene&) = delete;
+    CompiledScene& operator=(const CompiledScene&) = delete;
 
     int channels_ = 3;
     Scene text_;
     std::vector<std::unique_ptr<Modifier>> modifiers_;
     std::unique_ptr<Modifier> irradiance_material_;
-    std::vector<Surface> surfaces_;
-    Geometry geometry_;
+    SurfaceTable surfaces_;
+    Geometry geometry_{surfaces_};
     std::vector<LightSource> sources_;
     std::vector<int> distant_;
     std::vector<int> sampled_;

@@ -23,6 +23,12 @@ Box disk_box(const Vec3& center, const Vec3& axis, double radius) {
 
 }  // namespace
 
+void Geometry::reserve(std::size_t surfaces, std::size_t triangles) {
+    triangles_.reserve(triangles);
+    shape_of_.reserve(surfaces);
+    items_.reserve(surfaces);
+}
+
 void Geometry::note(Kind kind, std::size_t index, int surface, const Box& box) {
     if (shape_of_.size() <= static_cast<std::size_t>(surface))
         shape_of_.resize(static_cast<std::size_t>(surface) + 1, no_shape);
@@ -111,10 +117,7 @@ bool Geometry::add_cone(PrimitiveType type, std::span<const double> numbers, int
     return true;
 }
 
-void Geometry::build(std::vector<SurfaceRank> ranks, std::vector<char> blocks_light) {
-    ranks_ = std::move(ranks);
-    blocks_light_ = std::move(blocks_light);
-    shape_of_.resize(ranks_.size(), no_shape);
+void Geometry::build() {
     bvh_.build(std::move(items_));
     sort_triangles();
 }
@@ -148,11 +151,11 @@ void Geometry::sort_triangles() {
 inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const {
     const std::size_t i = index(shape);
     switch (kind(shape)) {
-        case triangle: return triangles_[i].intersect(origin, direction, ranks_.data(), shape, state);
-        case polygon: return polygons_[i].intersect(origin, direction, ranks_.data(), shape, state);
-        case sphere: return spheres_[i].intersect(origin, direction, ranks_.data(), shape, state);
-        case cone: return cones_[i].intersect(origin, direction, ranks_.data(), shape, state);
-        case ring: return rings_[i].intersect(origin, direction, ranks_.data(), shape, state);
+        case triangle: return triangles_[i].intersect(origin, direction, table_, shape, state);
+        case polygon: return polygons_[i].intersect(origin, direction, table_, shape, state);
+        case sphere: return spheres_[i].intersect(origin, direction, table_, shape, state);
+        case cone: return cones_[i].intersect(origin, direction, table_, shape, state);
+        case ring: return rings_[i].intersect(origin, direction, table_, shape, state);
     }
 }
 
@@ -182,7 +185,7 @@ Geometry::View Geometry::view(const Vec3& origin, const Vec3& direction, double 
             state.distance = limit;
             test(shape, origin, direction, state);
             if (state.surface < 0) return false;
-            found = blocks_light_[static_cast<std::size_t>(state.surface)] ? View::blocked : View::filtered;
+            found = table_.finish(state.surface).blocks_light() ? View::blocked : View::filtered;
             return found == View::blocked;
         },
         [&] { return limit; });
@@ -206,7 +209,7 @@ std::size_t Geometry::memory_bytes() const {
     for (const Polygon& p : polygons_) corner_bytes += 2 * sizeof(double) * static_cast<std::size_t>(p.corner_count);
     return triangles_.size() * sizeof(Triangle) + polygons_.size() * sizeof(Polygon) + corner_bytes +
            spheres_.size() * sizeof(Sphere) + cones_.size() * sizeof(Cone) + rings_.size() * sizeof(Ring) +
-           shape_of_.size() * sizeof(ShapeRef) + ranks_.size() * sizeof(SurfaceRank) + bvh_.memory_bytes();
+           shape_of_.size() * sizeof(ShapeRef) + bvh_.memory_bytes();
 }
 
 }  // namespace infra

@@ -26,11 +26,16 @@ class Geometry {
     /// What stands between two points.
     enum class View { clear, blocked, filtered };
 
+    /// table: decides between surfaces in the same place; must outlive the geometry.
+    explicit Geometry(const SurfaceTable& table) : table_(table) {}
+
+    /// Makes room for this many surfaces, of which so many are triangles.
+    void reserve(std::size_t surfaces, std::size_t triangles);
     /// Adds a primitive's shape as surface number `surface`. False for one that no ray can meet (no area, no radius).
     ///   throws  Error if the primitive's type is no shape known here
     bool add(const Scene& scene, PrimitiveId id, int surface);
     /// Builds the hierarchy; to be called once, after the last add().
-    void build(std::vector<SurfaceRank> ranks, std::vector<char> blocks_light);
+    void build();
 
     /// Nearest hit beyond `same_place` and nearer than state.distance; `leaving` is a shape not to be tested.
     void intersect(const Vec3& origin, const Vec3& direction, ShapeRef leaving, HitState& state) const;
@@ -45,7 +50,9 @@ class Geometry {
 
     /// Shape of a surface, no_shape if it has none.
     static constexpr ShapeRef no_shape = ~0u;
-    ShapeRef shape_of(int surface) const { return shape_of_[static_cast<std::size_t>(surface)]; }
+    ShapeRef shape_of(int surface) const {
+        return static_cast<std::size_t>(surface) < shape_of_.size() ? shape_of_[static_cast<std::size_t>(surface)] : no_shape;
+    }
 
     std::size_t memory_bytes() const;
 
@@ -58,6 +65,7 @@ class Geometry {
     bool add_polygon(std::span<const double> vertices, int surface);
     bool add_cone(PrimitiveType type, std::span<const double> numbers, int surface);
 
+    const SurfaceTable& table_;
     std::vector<Triangle> triangles_;
     std::vector<Polygon> polygons_;
     std::vector<std::unique_ptr<double[]>> corners_;
@@ -66,8 +74,6 @@ class Geometry {
     std::vector<Cone> cones_;
     std::vector<Ring> rings_;
     std::vector<ShapeRef> shape_of_;
-    std::vector<SurfaceRank> ranks_;
-    std::vector<char> blocks_light_;
     Bvh bvh_;
 };
 

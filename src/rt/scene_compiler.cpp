@@ -1,6 +1,6 @@
 // From primitives to surfaces, modifiers and light sources. Only what surfaces use is compiled, so that a library of
 // materials costs nothing and its unused parts may be incomplete, as in RADIANCE.
-#include <algorithm>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "cal/ray_library.h"
@@ -15,7 +15,7 @@ namespace infra {
 class SceneCompiler {
   public:
     SceneCompiler(CompiledScene& target, const RenderSettings& settings)
-        : out_(target), scene_(target.text_), settings_(settings), functions_(cal::make_ray_library()) {}
+        : out_(target), scene_(target.text_), surfaces_(target.surfaces_.surfaces), settings_(settings), functions_(cal::make_ray_library()) {}
 
     void run(const std::vector<FunctionDefinition>& definitions) {
         for (const FunctionDefinition& definition : definitions) {
@@ -26,8 +26,11 @@ class SceneCompiler {
         }
         find_surfaces();
         compile_modifiers();
-        make_surfaces();
+        make_finishes();
+        add_shapes();
         make_sources();
+        out_.text_.release_geometry_arguments();
+        out_.geometry_.build();
         out_.program_ = std::make_unique<cal::Program>(functions_.link());
         WardParameters white{Spectrum(out_.channels_, 3.14159265358979f)};
         out_.irradiance_material_ = std::make_unique<WardMaterial>("Lambertian", nullptr, white, false);
@@ -37,10 +40,13 @@ class SceneCompiler {
     using Flags = std::vector<char>;
 
     void find_surfaces() {
+        std::size_t count = 0;
+        for (PrimitiveId id = 0; id < scene_.size(); ++id) count += scene_.type_info(id).is_geometry();
+        surfaces_.reserve(count);
         for (PrimitiveId id = 0; id < scene_.size(); ++id)
             if (scene_.type_info(id).is_geometry()) {
                 check_arguments(scene_, id);
-                out_.surfaces_.push_back({.primitive = id});
+                surfaces_.push_back({.primitive = id});
             }
     }
 
@@ -51,7 +57,7 @@ class SceneCompiler {
         const auto mark = [&](PrimitiveId id) {
             if (id != void_primitive) used[static_cast<std::size_t>(id)] = 1;
         };
-        for (const Surface& surface : out_.surfaces_) mark(scene_.modifier(surface.primitive));
+        for (const Surface& surface : surfaces_) mark(scene_.modifier(surface.primitive));
         for (PrimitiveId id = scene_.size() - 1; id >= 0; --id) {
             if (!used[static_cast<std::size_t>(id)]) continue;
             mark(scene_.modifier(id));
@@ -100,35 +106,42 @@ class SceneCompiler {
                                "a material is modified by patterns and textures only");
     }
 
-    void make_surfaces() {
-        const std::size_t count = out_.surfaces_.size();
-        std::vector<SurfaceRank> ranks(count);
-        std::vector<char> blocks(count);
+    void make_finishes() {
         const std::unordered_set<std::string_view> names(settings_.ambient_filter.names.begin(),
                                                          settings_.ambient_filter.names.end());
-        for (std::size_t i = 0; i < count; ++i) {
-            Surface& surface = out_.surfaces_[i];
+        std::unordered_map<PrimitiveId, std::int32_t> finish_of;
+        for (Surface& surface : surfaces_) {
             const PrimitiveId modifier = scene_.modifier(surface.primitive);
-            surface.modifier = made(modifier);
-            if (const Modifier* material = Modifier::material_of(surface.modifier))
-                surface.material = material->traits();
+            const auto [known, is_new] =
+                finish_of.try_emplace(modifier, static_cast<std::int32_t>(out_.surfaces_.finishes.size()));
+            surface.finish = known->second;
+            if (!is_new) continue;
+            Finish finish{.primitive = modifier, .modifier = made(modifier)};
+            if (const Modifier* material = Modifier::material_of(finish.modifier)) finish.material = material->traits();
             if (settings_.ambient_filter.mode != NameFilter::Mode::none) {
                 const bool named = modifier != void_primitive && names.contains(scene_.name(modifier));
-                surface.in_ambient = named == (settings_.ambient_filter.mode == NameFilter::Mode::include);
+                finish.in_ambient = named == (settings_.ambient_filter.mode == NameFilter::Mode::include);
             }
-            ranks[i] = {modifier, surface.material != nullptr, surface.material && surface.material->transparent};
-            blocks[i] = surface.material && surface.material->blocks_light;
-            if (scene_.type(surface.primitive) != PrimitiveType::source)
-                out_.geometry_.add(scene_, surface.primitive, static_cast<int>(i));
+            out_.surfaces_.finishes.push_back(finish);
         }
-        out_.geometry_.build(std::move(ranks), std::move(blocks));
+    }
+
+    void add_shapes() {
+        std::size_t triangles = 0;
+        for (const Surface& surface : surfaces_)
+            triangles += scene_.type(surface.primitive) == PrimitiveType::polygon && scene_.reals(surface.primitive).size() == 9;
+        out_.geometry_.reserve(surfaces_.size(), triangles);
+        for (std::size_t i = 0; i < surfaces_.size(); ++i)
+            if (scene_.type(surfaces_[i].primitive) != PrimitiveType::source)
+                out_.geometry_.add(scene_, surfaces_[i].primitive, static_cast<int>(i));
     }
 
     void make_sources() {
         bool indirect = false;
-        for (std::size_t i = 0; i < out_.surfaces_.size(); ++i) {
-            Surface& surface = out_.surfaces_[i];
-            const Modifier* material = Modifier::material_of(surface.modifier);
+        for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+            Surface& surface = surfaces_[i];
+            const Finish& finish = out_.finish(static_cast<int>(i));
+            const Modifier* material = finish.material ? Modifier::material_of(finish.modifier) : nullptr;
             const Emitter* emitter = material ? material->emitter() : nullptr;
             if (!emitter || emitter->radiance().maximum() <= same_place) continue;
             const bool distant = scene_.type(surface.primitive) == PrimitiveType::source;
@@ -138,7 +151,7 @@ class SceneCompiler {
             }
             LightSource source = make_light_source(scene_, surface.primitive, *emitter, out_.warnings_);
             source.surface = static_cast<int>(i);
-            source.modifier = surface.modifier;
+            source.modifier = finish.modifier;
             if (!distant) check_center(source);
             indirect = indirect || (source.skip && settings_.ambient_bounces > 0);
             surface.source = static_cast<int>(out_.sources_.size());
@@ -146,7 +159,8 @@ class SceneCompiler {
             if (!source.skip) out_.sampled_.push_back(surface.source);
             out_.sources_.push_back(source);
         }
-        if (out_.sampled_.empty() && !indirect && !out_.surfaces_.empty()) out_.warnings_.push_back("no light sources found");
+        if (out_.sampled_.empty() && !indirect && !surfaces_.empty())
+            out_.warnings_.push_back("no light sources found");
     }
 
     // Samples are aimed at the centre: it has to be part of a flat source.
@@ -162,6 +176,7 @@ class SceneCompiler {
 
     CompiledScene& out_;
     const Scene& scene_;
+    std::vector<Surface>& surfaces_;
     const RenderSettings& settings_;
     cal::Library functions_;
     TableCache tables_;
@@ -189,7 +204,7 @@ std::string_view CompiledScene::modifier_name(int surface_index) const {
 }
 
 std::string_view CompiledScene::material_name(int surface_index) const {
-    const MaterialTraits* material = surface(surface_index).material;
+    const MaterialTraits* material = finish(surface_index).material;
     return material ? material->name : "void";
 }
 

@@ -42,7 +42,7 @@ void Tracer::trace(Interaction& at) {
     } else if (at.ray->max_distance > tiny) {
         // ended by the aft clipping plane
     } else if (meet_distant_source(at)) {
-        shade_chain(scene_.surface(at.surface).modifier, at);
+        shade_chain(scene_.finish(at.surface).modifier, at);
     }
     if (!at.radiance.finite()) {
         ++bad_values_;
@@ -120,7 +120,7 @@ bool Tracer::meet_distant_source(Interaction& at) const {
 }
 
 void Tracer::shade(Interaction& at) {
-    if (!shade_chain(scene_.surface(at.surface).modifier, at)) pass_through(at);
+    if (!shade_chain(scene_.finish(at.surface).modifier, at)) pass_through(at);
 }
 
 bool Tracer::shade_chain(const Modifier* chain, Interaction& at) {

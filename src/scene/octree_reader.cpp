@@ -19,6 +19,7 @@ constexpr std::size_t longest_header_line = 1 << 16;
 constexpr std::size_t longest_file_name = 4096;
 constexpr int largest_id_size = 8;
 constexpr int deepest_tree = 64;
+constexpr std::int64_t most_primitives = 1 << 28;
 
 using FileHandle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
@@ -86,12 +87,8 @@ class TreeReader {
         }
     }
 
-    /// All members seen, ascending.
-    const std::vector<PrimitiveId>& members() {
-        std::ranges::sort(members_);
-        members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
-        return members_;
-    }
+    /// Whether any cell holds this primitive.
+    bool holds(PrimitiveId id) const { return std::size_t(id) < held_.size() && held_[std::size_t(id)]; }
 
   private:
     OctreeNode read_leaf() {
@@ -101,18 +98,13 @@ class TreeReader {
         for (std::int64_t i = 0; i < size; ++i) {
             const auto id = in_.integer(id_size_);
             if (id < 0 || id >= count_) in_.fail_damaged("a cell holds a primitive that does not exist");
-            set_.push_back(PrimitiveId(id));
+            if (std::size_t(id) >= held_.size()) held_.resize(std::size_t(id) + 1);
+            held_[std::size_t(id)] = true;
+            if (keep_) set_.push_back(PrimitiveId(id));
         }
+        if (!keep_) return empty_node;
         std::ranges::sort(set_);
-        note_members();
-        return keep_ ? keep_->add_leaf(set_) : empty_node;
-    }
-
-    /// Neighbouring cells mostly hold the same members; compacting now and then keeps the list short.
-    void note_members() {
-        members_.insert(members_.end(), set_.begin(), set_.end());
-        if (members_.size() < compact_at_) return;
-        compact_at_ = std::max(compact_at_, 2 * members().size());
+        return keep_->add_leaf(set_);
     }
 
     ByteReader& in_;
@@ -120,13 +112,12 @@ class TreeReader {
     std::int64_t count_;
     Octree* keep_;
     std::vector<PrimitiveId> set_;
-    std::vector<PrimitiveId> members_;
-    std::size_t compact_at_ = 1 << 16;
+    std::vector<bool> held_;  // by primitive
 };
 
-void check_members(ByteReader& in, const Scene& scene, const std::vector<PrimitiveId>& members) {
-    for (const PrimitiveId id : members)
-        if (!scene.type_info(id).is_geometry())
+void check_members(ByteReader& in, const Scene& scene, const TreeReader& tree) {
+    for (PrimitiveId id = 0; id < scene.size(); ++id)
+        if (tree.holds(id) && !scene.type_info(id).is_geometry())
             in.fail("a cell holds the " + std::string(scene.type_info(id).name) + " \"" +
                     std::string(scene.name(id)) + "\"; is the octree stale?");
 }
@@ -140,7 +131,7 @@ OctreeFile read_octree(ByteReader& in, const WarningSink& warn, OctreePart part)
         file.scene_files.push_back(std::move(name));
     file.frozen = file.scene_files.empty();
     const std::int64_t count = in.integer(id_size);
-    if (count < 0 || count > std::int64_t(INT32_MAX)) in.fail_damaged("a senseless number of primitives");
+    if (count < 0 || count > most_primitives) in.fail_damaged("a senseless number of primitives");
     TreeReader tree(in, id_size, count, part == OctreePart::tree ? &file.tree : nullptr);
     file.tree.root = tree.read();
 
@@ -153,7 +144,7 @@ OctreeFile read_octree(ByteReader& in, const WarningSink& warn, OctreePart part)
         in.fail(std::to_string(count) + " primitives when the octree was made and " +
                 std::to_string(file.scene.size()) + " now; " +
                 (file.frozen ? "the octree is damaged" : "octree stale?"));
-    check_members(in, file.scene, tree.members());
+    check_members(in, file.scene, tree);
     for (PrimitiveId id = 0; id < file.scene.size(); ++id)
         if (file.scene.type_info(id).is_geometry()) check_arguments(file.scene, id);
     return file;

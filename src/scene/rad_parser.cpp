@@ -89,10 +89,14 @@ bool RadParser::read_word(std::string& word) {
     return any;
 }
 
-void RadParser::require_word(std::string& word, std::string_view what) {
-    if (read_word(word)) return;
+void RadParser::missing_word(std::string_view what) {
     word_line_ = line_;
     fail("the file ends before the " + std::string(what));
+}
+
+std::string RadParser::previous() const {
+    if (previous_name_.empty()) return "";
+    return std::string(infra::name(previous_type_)) + " \"" + previous_name_ + "\"";
 }
 
 void RadParser::refuse_tab(const std::string& word, const char* what) const {
@@ -101,30 +105,31 @@ void RadParser::refuse_tab(const std::string& word, const char* what) const {
 
 void RadParser::read_primitive() {
     ParsedPrimitive& p = primitive_;
-    previous_ = p.name.empty() ? "" : p.description();
+    previous_type_ = p.type;
+    previous_name_ = p.name;
     p.strings.clear();
     p.reals.clear();
-    require_word(p.modifier, "modifier");
+    if (!read_word(p.modifier)) missing_word("modifier");
     refuse_tab(p.modifier, "modifier");
-    require_word(word_, "type of a primitive whose modifier is " + quoted(p.modifier));
+    if (!read_word(word_)) missing_word("type of a primitive whose modifier is " + quoted(p.modifier));
     const auto type = find_primitive_type(word_);
     if (!type) {
         const std::string near = nearest_primitive_type(word_);
         std::string hint;
         if (!near.empty()) {
             hint = "did you mean " + near + "?";
-        } else if (!previous_.empty()) {
-            hint = "has " + previous_ + " before it the right number of arguments?";
+        } else if (!previous_name_.empty()) {
+            hint = "has " + previous() + " before it the right number of arguments?";
         }
         fail("unknown type " + quoted(word_), hint);
     }
     p.type = *type;
-    require_word(p.name, "identifier of a " + std::string(infra::name(p.type)));
+    if (!read_word(p.name)) missing_word("identifier of a " + std::string(infra::name(p.type)));
     refuse_tab(p.name, "identifier");
     if (info(p.type).is_modifier() && (p.name == "void" || p.name == "inherit"))
         fail(quoted(p.name) + " cannot be the identifier of a modifier");
     if (p.type == PrimitiveType::alias) {
-        require_word(word_, "target of " + p.description());
+        if (!read_word(word_)) missing_word("target of " + p.description());
         p.strings.push_back(word_);
     } else {
         read_arguments();
@@ -132,7 +137,8 @@ void RadParser::read_primitive() {
 }
 
 int RadParser::read_count(const char* sort) {
-    require_word(word_, std::string("number of ") + sort + " arguments of " + primitive_.description());
+    if (!read_word(word_))
+        missing_word(std::string("number of ") + sort + " arguments of " + primitive_.description());
     int count = 0;
     if (!parse_int(word_, count))
         fail(quoted(word_) + " where the number of " + sort + " arguments of " + primitive_.description() +

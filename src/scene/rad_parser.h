@@ -44,7 +44,7 @@ class RadParser {
     Location location() const { return {source_.name(), line_, 0}; }
     /// Description of the primitive before the current one, "" at the first: miscounted arguments show up as
     /// nonsense in the primitive that follows them.
-    const std::string& previous() const { return previous_; }
+    std::string previous() const;
 
   private:
     void read_comment();
@@ -52,7 +52,8 @@ class RadParser {
     void read_primitive();
     void read_arguments();
     bool read_word(std::string& word);
-    void require_word(std::string& word, std::string_view what);
+    /// Reports the end of the file where a word should stand.
+    [[noreturn]] void missing_word(std::string_view what);
     int read_count(const char* sort);
     void refuse_tab(const std::string& word, const char* what) const;
     [[noreturn]] void fail(std::string_view message, std::string_view hint = {}) const;
@@ -63,7 +64,8 @@ class RadParser {
     std::string word_;
     int line_ = 0;       // of the current item
     int word_line_ = 0;  // of the current word
-    std::string previous_;
+    PrimitiveType previous_type_ = PrimitiveType::polygon;
+    std::string previous_name_;
 };
 
 }  // namespace infra

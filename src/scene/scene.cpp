@@ -103,7 +103,7 @@ PrimitiveId Scene::add(PrimitiveType type, PrimitiveId modifier, std::string_vie
     Record record;
     record.name = kept_name.data();
     record.name_length = static_cast<std::uint16_t>(name.size());
-    record.reals = reals_.store(reals);
+    record.reals = (info(type).is_geometry() ? geometry_reals_ : reals_).store(reals);
     record.real_count = static_cast<std::uint32_t>(reals.size());
     record.strings = strings_.store(kept);
     record.string_count = static_cast<std::uint16_t>(strings.size());
@@ -120,8 +120,17 @@ PrimitiveId Scene::add(PrimitiveType type, PrimitiveId modifier, std::string_vie
     return id;
 }
 
+void Scene::release_geometry_arguments() {
+    for (Record& record : records_)
+        if (info(record.type).is_geometry()) {
+            record.reals = nullptr;
+            record.real_count = 0;
+        }
+    geometry_reals_ = {};
+}
+
 std::size_t Scene::memory_bytes() const {
-    return records_.capacity() * sizeof(Record) + reals_.memory_bytes() + strings_.memory_bytes() +
+    return records_.capacity() * sizeof(Record) + reals_.memory_bytes() + geometry_reals_.memory_bytes() + strings_.memory_bytes() +
            text_.memory_bytes();
 }
 

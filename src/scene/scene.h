@@ -76,6 +76,9 @@ class Scene {
                     std::span<const std::string_view> strings, std::span<const double> reals,
                     SourcePlace place = {});
 
+    /// Forgets the real arguments of surfaces, most of a large scene, once they have been made use of.
+    void release_geometry_arguments();
+
     std::size_t memory_bytes() const;
 
   private:
@@ -95,7 +98,8 @@ class Scene {
     bool same_definition(PrimitiveId a, PrimitiveId b) const;
 
     std::vector<Record> records_;
-    Arena<double> reals_;
+    Arena<double> reals_;           ///< of modifiers
+    Arena<double> geometry_reals_;  ///< of surfaces and volumes
     Arena<std::string_view> strings_;
     Arena<char> text_;
     std::vector<std::string> files_;

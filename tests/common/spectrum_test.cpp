@@ -43,7 +43,8 @@ TEST_P(AnySpectrum, SummarisesItsChannels) {
     EXPECT_EQ(ramp(n, -5, -1).maximum(), 0.0f);
     EXPECT_FLOAT_EQ(Spectrum(n, 2.5f).mean(), 2.5f);
     EXPECT_NEAR(Spectrum(n, 2.5f).brightness(), 2.5f, 1e-6f);
-    if (n != 3) EXPECT_EQ(a.brightness(), a.mean());
+    if (n == 3) return;
+    EXPECT_EQ(a.brightness(), a.mean());
 }
 
 TEST_P(AnySpectrum, StartsBlackAndClears) {

@@ -73,6 +73,12 @@ class TracedScene {
     const RenderSettings& settings() const { return settings_; }
     Tracer& tracer() { return *tracer_; }
 
+    /// What a ray meets first.
+    HitState nearest(const Vec3& origin, const Vec3& direction) const {
+        HitState state;
+        compiled_->geometry().intersect(origin, direction, Geometry::no_shape, state);
+        return state;
+    }
     /// Radiance along one ray, with a random stream of its own.
     Spectrum radiance(const Vec3& origin, const Vec3& direction) {
         tracer_->start_stream(++stream_);

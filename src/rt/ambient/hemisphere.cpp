@@ -73,7 +73,7 @@ struct Tracer::Hemisphere {
 void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at) {
     if (coefficient.maximum() <= 0) return;
     const bool computed = settings_.ambient_divisions > 0 && at.ray->ambient_level < settings_.ambient_bounces &&
-                          (at.surface < 0 || scene_.surface(at.surface).in_ambient);
+                          (at.surface < 0 || scene_.finish(at.surface).in_ambient);
     if (computed) {
         Hemisphere half{other_side ? through_ambient : reflected_ambient, normal, Vec3{0}, Vec3{0},
                         other_side ? -at.normal : at.normal, at.textured(), 1, coefficient, Ray(at.channels()), false};

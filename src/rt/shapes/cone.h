@@ -17,7 +17,7 @@ struct Cone {
     int surface;
     bool inward;
 
-    void intersect(const Vec3& origin, const Vec3& direction, const SurfaceRank* ranks, std::uint32_t shape,
+    void intersect(const Vec3& origin, const Vec3& direction, const SurfaceTable& table, std::uint32_t shape,
                    HitState& state) const {
         const Vec3 offset = origin - p0;
         const double z = dot(offset, axis);
@@ -33,7 +33,7 @@ struct Cone {
             if (roots[i] <= same_place) continue;
             const double at = z + roots[i] * dz;
             if (at < 0 || at > length) continue;
-            offer_hit(state, ranks, roots[i], (i == 0) != inward, surface, shape);
+            offer_hit(state, table, roots[i], (i == 0) != inward, surface, shape);
             return;
         }
     }

@@ -32,7 +32,7 @@ struct Triangle {
     /// The corners must not lie on a line.
     Triangle(const Vec3& a, const Vec3& b, const Vec3& c, int surface_index);
 
-    void intersect(const Vec3& origin, const Vec3& direction, const SurfaceRank* ranks, std::uint32_t shape,
+    void intersect(const Vec3& origin, const Vec3& direction, const SurfaceTable& table, std::uint32_t shape,
                    HitState& state) const {
         constexpr int next[] = {1, 2, 0, 1};
         const int u = next[axis], v = next[axis + 1];
@@ -46,7 +46,7 @@ struct Triangle {
         if (second < -slack) return;
         const double third = c_u * pu + c_v * pv + c_d;
         if (third < -slack || second + third > 1.0 + slack) return;
-        offer_hit(state, ranks, t, (slope < 0) != reversed, surface, shape);
+        offer_hit(state, table, t, (slope < 0) != reversed, surface, shape);
     }
 
     /// Unit normal.
@@ -61,14 +61,14 @@ struct Polygon {
     int surface;
     int x_axis, y_axis;
 
-    void intersect(const Vec3& origin, const Vec3& direction, const SurfaceRank* ranks, std::uint32_t shape,
+    void intersect(const Vec3& origin, const Vec3& direction, const SurfaceTable& table, std::uint32_t shape,
                    HitState& state) const {
         const double cosine = -dot(direction, normal);
         if (std::fabs(cosine) <= same_place) return;
         const double t = (dot(origin, normal) - offset) / cosine;
         if (t <= same_place || t > state.distance + same_place) return;
         if (contains(origin[x_axis] + direction[x_axis] * t, origin[y_axis] + direction[y_axis] * t))
-            offer_hit(state, ranks, t, cosine > 0, surface, shape);
+            offer_hit(state, table, t, cosine > 0, surface, shape);
     }
 
     /// Even-odd rule over the outline; the outline itself, within `same_place`, belongs to the polygon.

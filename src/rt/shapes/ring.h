@@ -11,7 +11,7 @@ struct Ring {
     double inner, outer;  ///< radii
     int surface;
 
-    void intersect(const Vec3& origin, const Vec3& direction, const SurfaceRank* ranks, std::uint32_t shape,
+    void intersect(const Vec3& origin, const Vec3& direction, const SurfaceTable& table, std::uint32_t shape,
                    HitState& state) const {
         const double cosine = -dot(direction, unit_normal);
         if (std::fabs(cosine) <= same_place) return;
@@ -20,7 +20,7 @@ struct Ring {
         const Vec3 at = offset + direction * t;
         const double squared = dot(at, at);
         if (squared > outer * outer || squared < inner * inner) return;
-        offer_hit(state, ranks, t, cosine > 0, surface, shape);
+        offer_hit(state, table, t, cosine > 0, surface, shape);
     }
 };
 

@@ -1,0 +1,121 @@
+// Light that comes straight from sources, against closed forms.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "scene_pieces.h"
+
+namespace infra {
+namespace {
+
+using test::degree;
+using test::words;
+
+constexpr double pi = std::numbers::pi;
+const std::string lamp = "void light lamp 0 0 3 1 1 1\n";
+const test::RaySpec ground{{0, 0, 0}, {0, 0, 1}};
+
+RenderSettings fine(double jitter = 0) {
+    RenderSettings settings;
+    settings.source_size_ratio = 0.01;
+    settings.source_jitter = jitter;
+    return settings;
+}
+
+/// View factor of a rectangle a x b from an element below one of its corners, at distance c.
+double corner_factor(double a, double b, double c) {
+    const double x = a / c, y = b / c, p = std::sqrt(1 + x * x), q = std::sqrt(1 + y * y);
+    return (x / p * std::atan(y / p) + y / q * std::atan(x / q)) / (2 * pi);
+}
+
+const std::string unit_square = "lamp polygon p 0 0 12 -.5 -.5 1 -.5 .5 1 .5 .5 1 .5 -.5 1\n";
+
+TEST(DirectLight, UnitSquareOverheadInFineParts) {
+    test::TracedScene scene(lamp + unit_square, fine());
+    const double expected = 4 * pi * corner_factor(0.5, 0.5, 1);
+    EXPECT_NEAR(scene.irradiance(ground.origin, ground.direction), expected, 2e-3 * expected);
+}
+
+TEST(DirectLight, UnitSquareOverheadIsExactOnAverageWithFullJitter) {
+    test::TracedScene scene(lamp + unit_square, fine(1));
+    test::expect_close(scene.mean_irradiance(3000, [](RandomStream&) { return ground; }),
+                       4 * pi * corner_factor(0.5, 0.5, 1), 1e-3);
+    // below a corner, facing away from the square so that half of it is behind the horizon
+    test::expect_close(scene.mean_irradiance(20'000, [](RandomStream&) { return test::RaySpec{{0, 0, 0}, {1, 0, 0}}; }),
+                       // an element perpendicular to the rectangle: sum over both halves in y
+                       2 * 0.5 * (std::atan(0.5) - 1 / std::sqrt(1.25) * std::atan(0.5 / std::sqrt(1.25))), 4e-3);
+}
+
+TEST(DirectLight, DistantSunGivesRadianceTimesSolidAngle) {
+    for (const double elevation : {90.0, 40.0, 5.0}) {
+        const Vec3 to_sun = test::direction((90 - elevation) * degree, 1.0);
+        test::TracedScene scene(
+            words("void light sun 0 0 3 1e4 1e4 1e4 sun source s 0 0 4", to_sun.x, to_sun.y, to_sun.z, ".533\n"));
+        const double solid_angle = 2 * pi * (1 - std::cos(0.2665 * degree));
+        const double expected = 1e4 * solid_angle * to_sun.z;
+        EXPECT_NEAR(scene.irradiance(ground.origin, ground.direction), expected, 1e-5 * expected) << elevation;
+    }
+}
+
+TEST(DirectLight, SphereGivesItsProjectedArea) {
+    for (const double distance : {3.0, 30.0}) {
+        test::TracedScene scene(words(lamp, "lamp sphere s 0 0 4 0 0", distance, ".1\n"));
+        const double expected = pi * 0.01 / (distance * distance);
+        EXPECT_NEAR(scene.irradiance(ground.origin, ground.direction), expected, 1e-5 * expected) << distance;
+    }
+}
+
+TEST(DirectLight, DiskOverheadOnAverage) {
+    test::TracedScene scene(lamp + "lamp ring r 0 0 8 0 0 1 0 0 -1 0 .5\n", fine(1));
+    test::expect_close(scene.mean_irradiance(3000, [](RandomStream&) { return ground; }), pi * 0.25 / 1.25, 2e-3);
+}
+
+TEST(DirectLight, SourcesAreDarkFromBehindAndBelowTheHorizon) {
+    test::TracedScene scene(lamp + unit_square);
+    EXPECT_EQ(scene.irradiance({0, 0, 2}, {0, 0, -1}), 0);
+    EXPECT_EQ(scene.irradiance({0, 0, 0}, {0, 0, -1}), 0);
+}
+
+TEST(DirectLight, SpotlightEndsAtHalfItsAngle) {
+    test::TracedScene scene("void spotlight spot 0 0 7 1000 1000 1000 40 0 0 -1\nspot sphere s 0 0 4 0 0 1 .01\n");
+    const auto at = [&](double off_axis_deg) {
+        return scene.irradiance({std::tan(off_axis_deg * degree), 0, 0}, {0, 0, 1});
+    };
+    EXPECT_GT(at(0), 0);
+    EXPECT_GT(at(19.5), 0);
+    EXPECT_EQ(at(20.5), 0);
+    EXPECT_EQ(at(60), 0);
+    // The beam spreads from one unit behind the source.
+    EXPECT_NEAR(at(0), 1000 * pi * 1e-4 / 4, 1e-3 * 1000 * pi * 1e-4 / 4);
+}
+
+TEST(DirectLight, GlowEndsAtItsReach) {
+    test::TracedScene scene("void glow g 0 0 4 1 1 1 2\ng sphere s 0 0 4 0 0 5 .1\n");
+    EXPECT_GT(scene.irradiance({0, 0, 3.1}, {0, 0, 1}), 0);
+    EXPECT_EQ(scene.irradiance({0, 0, 2}, {0, 0, 1}), 0);
+}
+
+TEST(DirectLight, ShadowsAreComplete) {
+    test::TracedScene scene(lamp + unit_square +
+                            "void plastic p 0 0 5 .5 .5 .5 0 0\np ring screen 0 0 8 0 0 .5 0 0 1 0 2\n");
+    EXPECT_EQ(scene.irradiance(ground.origin, ground.direction), 0);
+}
+
+TEST(DirectLight, ManySourcesAddUp) {
+    RenderSettings exact;
+    exact.shadow_threshold = 0;
+    std::string text = lamp;
+    double expected = 0;
+    for (int n = 0; n < 40; ++n) {
+        const Vec3 place = test::direction(80 * degree * n / 40, n) * (5.0 + n);
+        text += words("lamp sphere s 0 0 4", place.x, place.y, place.z, ".1\n");
+        expected += pi * 0.01 / dot(place, place) * place.z / length(place);
+    }
+    test::TracedScene all(text, exact);
+    EXPECT_NEAR(all.irradiance(ground.origin, ground.direction), expected, 2e-3 * expected);
+    test::TracedScene some(text);  // by -dt and -dc a part of the sources is not tested for shadow
+    EXPECT_NEAR(some.irradiance(ground.origin, ground.direction), expected, 2e-3 * expected);
+}
+
+}  // namespace
+}  // namespace infra
