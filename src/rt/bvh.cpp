@@ -1,7 +1,9 @@
 #include "rt/bvh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace infra {
@@ -11,23 +13,49 @@ constexpr int bin_count = 16;
 constexpr int leaf_size = 4;
 constexpr int deepest = 60;  // of the binary tree; a walk's stack holds three entries a level
 
+typedef float Float4 __attribute__((vector_size(16)));
+typedef std::int32_t Int4 __attribute__((vector_size(16)));
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+
+/// Three numbers in a register; the fourth lane, which may hold an item's number, becomes 0.
+Float4 load(const float* numbers) {
+    Int4 bits;
+    std::memcpy(&bits, numbers, sizeof bits);
+    bits &= Int4{-1, -1, -1, 0};
+    return std::bit_cast<Float4>(bits);
+}
+
 /// A box in single precision, for building.
 struct FloatBox {
-    float lo[3] = {inf, inf, inf};
-    float hi[3] = {-inf, -inf, -inf};
-    static constexpr float inf = std::numeric_limits<float>::infinity();
+    Float4 lo = {inf, inf, inf, inf};
+    Float4 hi = {-inf, -inf, -inf, -inf};
 
-    void extend(const float* other_lo, const float* other_hi) {
-        for (int axis = 0; axis < 3; ++axis) {
-            lo[axis] = std::min(lo[axis], other_lo[axis]);
-            hi[axis] = std::max(hi[axis], other_hi[axis]);
-        }
+    void extend(const FloatBox& other) {
+        lo = other.lo < lo ? other.lo : lo;
+        hi = other.hi > hi ? other.hi : hi;
     }
-    void extend(const FloatBox& other) { extend(other.lo, other.hi); }
     float half_area() const {
         if (lo[0] > hi[0]) return 0;
-        const float dx = hi[0] - lo[0], dy = hi[1] - lo[1], dz = hi[2] - lo[2];
-        return dx * dy + dy * dz + dz * dx;
+        const Float4 d = hi - lo;
+        return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+    }
+};
+
+FloatBox box_of(const Bvh::Item& item) { return {load(item.lo), load(item.hi)}; }
+
+/// Which of the bins along each axis the centre of an item lies in.
+struct Binning {
+    Float4 low, scale;
+
+    explicit Binning(const FloatBox& centers) : low(centers.lo), scale{} {
+        for (int axis = 0; axis < 3; ++axis) {
+            const float extent = centers.hi[axis] - centers.lo[axis];
+            if (extent > 0) scale[axis] = bin_count * (1.0f - 1e-6f) / extent;
+        }
+    }
+    Int4 operator()(const FloatBox& box) const {
+        return __builtin_convertvector(((box.lo + box.hi) * 0.5f - low) * scale, Int4);
     }
 };
 
@@ -45,44 +73,30 @@ struct Bvh::Builder {
     std::vector<Item> items;
     float pad;
 
-    FloatBox bound(std::size_t begin, std::size_t end) const {
-        FloatBox box;
-        for (std::size_t i = begin; i < end; ++i) box.extend(items[i].lo, items[i].hi);
-        return box;
-    }
-
-    static float center(const Item& item, int axis) { return 0.5f * (item.lo[axis] + item.hi[axis]); }
-
-    static int bin(const Item& item, int axis, float low, float scale) {
-        return std::min(bin_count - 1, static_cast<int>((center(item, axis) - low) * scale));
-    }
-
     // Splits a range in two by the surface area heuristic; false if it had better stay a leaf.
     bool split(const Range& range, Range& left, Range& right) {
         if (range.size() <= leaf_size || range.depth >= deepest) return false;
-        float low[3] = {FloatBox::inf, FloatBox::inf, FloatBox::inf}, scale[3];
-        float high[3] = {-FloatBox::inf, -FloatBox::inf, -FloatBox::inf};
-        for (std::size_t i = range.begin; i < range.end; ++i)
-            for (int axis = 0; axis < 3; ++axis) {
-                low[axis] = std::min(low[axis], center(items[i], axis));
-                high[axis] = std::max(high[axis], center(items[i], axis));
-            }
+        FloatBox centers;
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            const FloatBox b = box_of(items[i]);
+            const Float4 center = (b.lo + b.hi) * 0.5f;
+            centers.extend({center, center});
+        }
+        const Binning bin(centers);
         FloatBox box[3][bin_count];
         std::uint32_t count[3][bin_count] = {};
-        for (int axis = 0; axis < 3; ++axis) {
-            const float extent = high[axis] - low[axis];
-            scale[axis] = extent > 0 ? bin_count / extent : 0.0f;
-        }
-        for (std::size_t i = range.begin; i < range.end; ++i)
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            const FloatBox b = box_of(items[i]);
+            const Int4 place = bin(b);
             for (int axis = 0; axis < 3; ++axis) {
-                const int b = bin(items[i], axis, low[axis], scale[axis]);
-                box[axis][b].extend(items[i].lo, items[i].hi);
-                ++count[axis][b];
+                box[axis][place[axis]].extend(b);
+                ++count[axis][place[axis]];
             }
-        float best_cost = FloatBox::inf;
+        }
+        float best_cost = inf;
         int best_axis = -1, best_bin = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            if (!(scale[axis] > 0)) continue;
+            if (!(bin.scale[axis] > 0)) continue;
             float right_cost[bin_count];
             FloatBox sum;
             std::size_t n = 0;
@@ -104,21 +118,19 @@ struct Bvh::Builder {
                 }
             }
         }
-        std::size_t middle;
+        left = {range.begin, range.begin, {}, range.depth + 1};
+        right = {range.end, range.end, {}, range.depth + 1};
         if (best_axis < 0) {  // all centres in one place
-            middle = range.begin + range.size() / 2;
+            left.end = right.begin = range.begin + range.size() / 2;
         } else {
             const auto begin = items.begin();
-            middle = static_cast<std::size_t>(
-                std::partition(begin + static_cast<std::ptrdiff_t>(range.begin),
-                               begin + static_cast<std::ptrdiff_t>(range.end),
-                               [&](const Item& item) {
-                                   return bin(item, best_axis, low[best_axis], scale[best_axis]) <= best_bin;
-                               }) -
-                begin);
+            const auto middle = std::partition(
+                begin + static_cast<std::ptrdiff_t>(range.begin), begin + static_cast<std::ptrdiff_t>(range.end),
+                [&](const Item& item) { return bin(box_of(item))[best_axis] <= best_bin; });
+            left.end = right.begin = static_cast<std::size_t>(middle - begin);
         }
-        left = {range.begin, middle, bound(range.begin, middle), range.depth + 1};
-        right = {middle, range.end, bound(middle, range.end), range.depth + 1};
+        for (std::size_t i = left.begin; i < left.end; ++i) left.box.extend(box_of(items[i]));
+        for (std::size_t i = right.begin; i < right.end; ++i) right.box.extend(box_of(items[i]));
         return true;
     }
 
@@ -171,11 +183,13 @@ struct Bvh::Builder {
     }
 };
 
-Bvh::Item::Item(const Box& box, std::uint32_t item_id) : id(item_id) {
+Bvh::Item::Item(const Box& box, std::uint32_t id) {
     for (int axis = 0; axis < 3; ++axis) {
-        lo[axis] = std::nextafter(static_cast<float>(box.lo[axis]), -FloatBox::inf);
-        hi[axis] = std::nextafter(static_cast<float>(box.hi[axis]), FloatBox::inf);
+        lo[axis] = std::nextafter(static_cast<float>(box.lo[axis]), -inf);
+        hi[axis] = std::nextafter(static_cast<float>(box.hi[axis]), inf);
     }
+    lo[3] = std::bit_cast<float>(id);
+    hi[3] = 0;
 }
 
 void Bvh::build(std::vector<Item> items) {
@@ -184,7 +198,8 @@ void Bvh::build(std::vector<Item> items) {
     if (items.empty()) return;
     Builder builder{*this, std::move(items), 0};
     const std::size_t item_count = builder.items.size();
-    const FloatBox whole = builder.bound(0, item_count);
+    FloatBox whole;
+    for (const Item& item : builder.items) whole.extend(box_of(item));
     double reach = 0;
     Vec3 size;
     for (int axis = 0; axis < 3; ++axis) {
@@ -212,7 +227,7 @@ void Bvh::build(std::vector<Item> items) {
         for (int lane = 1; lane < 4; ++lane) builder.set_child(nodes_[0], lane, FloatBox{}, -1, -1);
     }
     items_.reserve(item_count);
-    for (const Item& item : builder.items) items_.push_back(item.id);
+    for (const Item& item : builder.items) items_.push_back(item.id());
 }
 
 bool Bvh::advance_to_box(const Vec3& origin, const Vec3& direction, double limit, double& enter) const {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -36,9 +37,11 @@ class Bvh {
   public:
     /// What the hierarchy is built of: a number that walk() hands back, and its box rounded outward.
     struct Item {
-        float lo[3], hi[3];
-        std::uint32_t id;
-        Item(const Box& box, std::uint32_t item_id);
+        Item(const Box& box, std::uint32_t id);
+        std::uint32_t id() const { return std::bit_cast<std::uint32_t>(lo[3]); }
+
+        float lo[4];  ///< the fourth holds the number's bits
+        float hi[4];
     };
 
     void build(std::vector<Item> items);

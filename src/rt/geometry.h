@@ -21,7 +21,7 @@ using ShapeRef = std::uint32_t;
 
 class Geometry {
   public:
-    enum Kind : std::uint32_t { triangle, polygon, sphere, cone, ring };
+    enum Kind : std::uint32_t { triangle, polygon, sphere, cone, ring };  // triangle is 0: sort_triangles relies on it
 
     /// What stands between two points.
     enum class View { clear, blocked, filtered };

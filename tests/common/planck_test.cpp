@@ -48,13 +48,15 @@ TEST(Planck, GivesTheValidationTable) {
         EXPECT_NEAR(band_radiance(row.temperature, 3, 5), row.mid_wave, digits);
         EXPECT_NEAR(band_radiance(row.temperature, 8, 12), row.long_wave, digits);
         EXPECT_NEAR(band_radiance(row.temperature, 8, 14), row.wide_long_wave, digits);
-        EXPECT_NEAR(band_radiance(row.temperature, 0, std::numeric_limits<double>::infinity()), row.total, total_digits);
+        EXPECT_NEAR(band_radiance(row.temperature, 0, std::numeric_limits<double>::infinity()), row.total,
+                    total_digits);
     }
 }
 
 TEST(Planck, AgreesWithQuadratureToOneInAMillion) {
     for (const double temperature : {150.0, 250.0, 300.0, 350.0, 600.0, 1500.0, 5772.0})
-        for (const auto& [lo, hi] : {std::pair{3.0, 5.0}, {8.0, 12.0}, {8.0, 14.0}, {3.9, 4.1}, {2.0, 30.0}}) {
+        for (const auto& [lo, hi] :
+             {std::pair{3.0, 5.0}, {8.0, 12.0}, {8.0, 14.0}, {3.9, 4.1}, {2.0, 30.0}}) {
             const double expected = quadrature(temperature, lo, hi);
             EXPECT_NEAR(band_radiance(temperature, lo, hi) / expected, 1, 1e-6)
                 << temperature << " K, " << lo << ".." << hi << " um";

@@ -62,7 +62,12 @@ TEST(RandomStream, StreamsOfSuccessiveIndicesAreIndependent) {
                 for (int n = 0; n < skip; ++n) stream.uniform();
                 return stream.uniform();
             };
-            EXPECT_GT(evenness(pairs, [&](int n) { return Pair{value(n), value(n + 1)}; }), 1e-4) << seed << ' ' << skip;
+            EXPECT_GT(evenness(pairs,
+                               [&](int n) {
+                                   return Pair{value(n), value(n + 1)};
+                               }),
+                      1e-4)
+                << seed << ' ' << skip;
         }
 }
 
@@ -74,7 +79,8 @@ TEST(RandomStream, StreamsOfSuccessiveSeedsAreIndependent) {
 TEST(RandomStream, NoTwoStreamsBeginAlike) {
     std::set<double> first;
     for (std::uint64_t seed = 0; seed < 100; ++seed)
-        for (std::uint64_t index = 0; index < 1000; ++index) first.insert(RandomStream(seed, index).uniform());
+        for (std::uint64_t index = 0; index < 1000; ++index)
+            first.insert(RandomStream(seed, index).uniform());
     EXPECT_EQ(first.size(), 100'000u);
 }
 

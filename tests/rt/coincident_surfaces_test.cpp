@@ -1,5 +1,5 @@
-// Which of two surfaces in the same place is seen: a material over none, opaque over transparent, the front over the back,
-// the later modifier over the earlier.
+// Which of two surfaces in the same place is seen: a material over none, opaque over transparent, the front
+// over the back, the later modifier over the earlier.
 #include <gtest/gtest.h>
 
 #include "scene_pieces.h"
@@ -57,7 +57,8 @@ TEST(CoincidentSurfaces, WithinAMillionthTheyAreOnePlace) {
 TEST(CoincidentSurfaces, AmongManyShapesTheOrderOfTheWalkDoesNotMatter) {
     std::string many;
     for (int n = 0; n < 50; ++n)
-        many += test::words(n % 2 ? "second" : "first", "ring r 0 0 8", 0.01 * n, 0, 0, "0 0", n % 3 ? 1 : -1, "0 2\n");
+        many += test::words(n % 2 ? "second" : "first", "ring r 0 0 8", 0.01 * n, 0, 0, "0 0", n % 3 ? 1 : -1,
+                            "0 2\n");
     for (int n = 0; n < 20; ++n) EXPECT_EQ(seen(many, {0.05 * n - 0.5, 0.3, 2}), "second");
 }
 

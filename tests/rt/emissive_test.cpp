@@ -1,4 +1,5 @@
-// The emissive material: what it sends out by itself, what it lets its material reflect, and when it is a light source.
+// The emissive material: what it sends out by itself, what it lets its material reflect, and when it is a
+// light source.
 #include <gtest/gtest.h>
 
 #include "scene_pieces.h"
@@ -32,7 +33,8 @@ TEST(Emissive, IsSeenFromBothSidesInItsOwnColor) {
 TEST(Emissive, AddsToWhatItsMaterialReflects) {
     const std::string skin = "void plastic skin 0 0 5 .6 .6 .6 0 0\n";
     EXPECT_NEAR(seen_in_surrounding(skin + "void emissive m 1 skin 0 3 2 2 2"), 2 + 0.6 * 10, 1e-5);
-    EXPECT_NEAR(seen_in_surrounding(skin + "void emissive m 1 skin 0 3 2 2 2", from_below), 2 + 0.6 * 10, 1e-5);
+    EXPECT_NEAR(seen_in_surrounding(skin + "void emissive m 1 skin 0 3 2 2 2", from_below), 2 + 0.6 * 10,
+                1e-5);
 }
 
 TEST(Emissive, IsBlackWithoutAMaterial) {
@@ -41,36 +43,43 @@ TEST(Emissive, IsBlackWithoutAMaterial) {
 }
 
 TEST(Emissive, PatternsOnItScaleTheEmissionOnly) {
-    EXPECT_NEAR(seen_in_surrounding(half + "void plastic skin 0 0 5 .6 .6 .6 0 0 half emissive m 1 skin 0 3 2 2 2"),
-                0.5 * 2 + 0.6 * 10, 1e-5);
+    EXPECT_NEAR(
+        seen_in_surrounding(half + "void plastic skin 0 0 5 .6 .6 .6 0 0 half emissive m 1 skin 0 3 2 2 2"),
+        0.5 * 2 + 0.6 * 10, 1e-5);
 }
 
 TEST(Emissive, PatternsOfItsMaterialScaleTheReflectionOnly) {
-    EXPECT_NEAR(seen_in_surrounding(half + "half plastic skin 0 0 5 .6 .6 .6 0 0 void emissive m 1 skin 0 3 2 2 2"),
-                2 + 0.5 * 0.6 * 10, 1e-5);
+    EXPECT_NEAR(
+        seen_in_surrounding(half + "half plastic skin 0 0 5 .6 .6 .6 0 0 void emissive m 1 skin 0 3 2 2 2"),
+        2 + 0.5 * 0.6 * 10, 1e-5);
 }
 
 TEST(Emissive, WrapsMixturesMirrorsAndSheets) {
     EXPECT_NEAR(seen_in_surrounding("void plastic a 0 0 5 .2 .2 .2 0 0 void plastic b 0 0 5 .8 .8 .8 0 0\n"
                                     "void mixfunc skin 4 a b .25 . 0 0 void emissive m 1 skin 0 3 2 2 2"),
                 2 + (0.25 * 0.2 + 0.75 * 0.8) * 10, 1e-5);
-    EXPECT_NEAR(seen_in_surrounding("void metal skin 0 0 5 .5 .5 .5 1 .2 void emissive m 1 skin 0 3 2 2 2"), 2 + 5, 1e-5);
-    EXPECT_NEAR(seen_in_surrounding("void trans skin 0 0 7 .6 .6 .6 0 0 .5 .5 void emissive m 1 skin 0 3 2 2 2"), 2 + 6,
-                1e-5);
+    EXPECT_NEAR(seen_in_surrounding("void metal skin 0 0 5 .5 .5 .5 1 .2 void emissive m 1 skin 0 3 2 2 2"),
+                2 + 5, 1e-5);
+    EXPECT_NEAR(
+        seen_in_surrounding("void trans skin 0 0 7 .6 .6 .6 0 0 .5 .5 void emissive m 1 skin 0 3 2 2 2"),
+        2 + 6, 1e-5);
     EXPECT_NEAR(seen_in_surrounding("void plastic p 0 0 5 .5 .5 .5 0 0 void emissive skin 1 p 0 3 1 1 1\n"
                                     "void emissive m 1 skin 0 3 2 2 2"),
                 3 + 5, 1e-5);
 }
 
-// A floor below a panel that emits and reflects, in a surrounding; sampled as a light source or met by chance.
+// A floor below a panel that emits and reflects, in a surrounding; sampled as a light source or met by
+// chance.
 test::Estimate floor_radiance(const std::string& floor, const std::string& emissive_reach) {
     RenderSettings settings = test::bounce_settings(64);
-    settings.specular_samples = 8;  // more than one lobe sample: their mean is that of the lobe light sources see
+    settings.specular_samples =
+        8;  // more than one lobe sample: their mean is that of the lobe light sources see
     settings.source_jitter = 1;
-    test::TracedScene scene(words(floor, test::plate, "void plastic skin 0 0 5 .5 .5 .5 0 0\nvoid emissive panel 1 skin 0 4",
-                                  "5 5 5", emissive_reach,
-                                  "\npanel polygon p 0 0 12 -1.2 -1 1 -1.2 .4 1 0 .4 1 0 -1 1\n", test::surrounding(3)),
-                            settings);
+    test::TracedScene scene(
+        words(floor, test::plate, "void plastic skin 0 0 5 .5 .5 .5 0 0\nvoid emissive panel 1 skin 0 4",
+              "5 5 5", emissive_reach, "\npanel polygon p 0 0 12 -1.2 -1 1 -1.2 .4 1 0 .4 1 0 -1 1\n",
+              test::surrounding(3)),
+        settings);
     return test::seen(scene, test::view_of_plate(50 * degree, 0.4), 3000);
 }
 

@@ -19,8 +19,8 @@ double long_wave(double temperature) { return band_radiance(temperature, 8, 12);
 /// A diffuse grey surface of this emissivity and temperature as modifier `name`.
 std::string grey(const std::string& name, double emissivity, double black_body) {
     const double r = 1 - emissivity, le = emissivity * black_body;
-    return words("void plastic", name + "_skin", "0 0 5", r, r, r, "0 0\nvoid emissive", name, "1", name + "_skin",
-                 "0 3", le, le, le, "\n");
+    return words("void plastic", name + "_skin", "0 0 5", r, r, r, "0 0\nvoid emissive", name, "1",
+                 name + "_skin", "0 3", le, le, le, "\n");
 }
 
 Vec3 on_sphere(RandomStream& random) {
@@ -57,8 +57,10 @@ TEST(Exchange, InfiniteParallelPlates) {
     test::TracedScene scene(grey("low", e1, b1) + grey("high", e2, b2) +
                                 "low ring l 0 0 8 0 0 0 0 0 1 0 1e6\nhigh ring h 0 0 8 0 0 1 0 0 -1 0 1e6\n",
                             test::path_settings());
-    test::expect_close(scene.mean_radiance(2000, {0, 0, 0.5}, {0.6, 0, -0.8}), (e1 * b1 + (1 - e1) * e2 * b2) / between, bar);
-    test::expect_close(scene.mean_radiance(2000, {0, 0, 0.5}, {0, 0.6, 0.8}), (e2 * b2 + (1 - e2) * e1 * b1) / between, bar);
+    test::expect_close(scene.mean_radiance(2000, {0, 0, 0.5}, {0.6, 0, -0.8}),
+                       (e1 * b1 + (1 - e1) * e2 * b2) / between, bar);
+    test::expect_close(scene.mean_radiance(2000, {0, 0, 0.5}, {0, 0.6, 0.8}),
+                       (e2 * b2 + (1 - e2) * e1 * b1) / between, bar);
 }
 
 // The aperture is the part of a sphere above a height, where a mixture has no wall.
@@ -69,16 +71,18 @@ TEST(Exchange, SphericalCavityLooksBlackerThanItsWall) {
     for (const Case& c : {Case{0.5, 0.5, 0.666667}, {0.5, 0.1, 0.909091}, {0.7, 0.25, 0.903226}}) {
         SCOPED_TRACE(words("emissivity", c.emissivity, "open", c.open_share));
         const double rim = 1 - 2 * c.open_share;  // of the unit sphere
-        test::TracedScene scene(grey("wall", c.emissivity, 1) + words("void mixfunc m 4 wall void if(A1-Pz,1,0) . 0 1", rim,
-                                                                      "\nm bubble cavity 0 0 4 0 0 0 1\n"),
-                                test::path_settings());
+        test::TracedScene scene(
+            grey("wall", c.emissivity, 1) + words("void mixfunc m 4 wall void if(A1-Pz,1,0) . 0 1", rim,
+                                                  "\nm bubble cavity 0 0 4 0 0 0 1\n"),
+            test::path_settings());
         const double radius = std::sqrt(1 - rim * rim);
-        test::expect_close(scene.mean_radiance(250'000,
+        test::expect_close(scene.mean_radiance(300'000,
                                                [&](RandomStream& random) {
                                                    const double r = radius * std::sqrt(random.uniform());
                                                    const double phi = 2 * pi * random.uniform();
-                                                   return test::RaySpec{{r * std::cos(phi), r * std::sin(phi), rim - 1e-4},
-                                                                        -lambertian(random)};
+                                                   return test::RaySpec{
+                                                       {r * std::cos(phi), r * std::sin(phi), rim - 1e-4},
+                                                       -lambertian(random)};
                                                }),
                            c.apparent, bar);
     }
@@ -96,10 +100,14 @@ TEST(Exchange, ClosedRoomFillsWithLight) {
         const double radiance = flux / (4 * pi * pi * lamp * lamp);
         const std::string room =
             words("void plastic m 0 0 5", c.reflectance, c.reflectance, c.reflectance, "0 0\n") +
-            "m polygon x0 0 0 12 -2 -2 -2 -2 2 -2 -2 2 2 -2 -2 2\nm polygon x1 0 0 12 2 -2 -2 2 -2 2 2 2 2 2 2 -2\n"
-            "m polygon y0 0 0 12 -2 -2 -2 -2 -2 2 2 -2 2 2 -2 -2\nm polygon y1 0 0 12 -2 2 -2 2 2 -2 2 2 2 -2 2 2\n"
-            "m polygon z0 0 0 12 -2 -2 -2 2 -2 -2 2 2 -2 -2 2 -2\nm polygon z1 0 0 12 -2 -2 2 -2 2 2 2 2 2 2 -2 2\n" +
-            words("void light lamp 0 0 3", radiance, radiance, radiance, "lamp sphere l 0 0 4 0 0 0", lamp, "\n");
+            "m polygon x0 0 0 12 -2 -2 -2 -2 2 -2 -2 2 2 -2 -2 2\nm polygon x1 0 0 12 2 -2 -2 2 -2 2 2 2 2 2 "
+            "2 -2\n"
+            "m polygon y0 0 0 12 -2 -2 -2 -2 -2 2 2 -2 2 2 -2 -2\nm polygon y1 0 0 12 -2 2 -2 2 2 -2 2 2 2 "
+            "-2 2 2\n"
+            "m polygon z0 0 0 12 -2 -2 -2 2 -2 -2 2 2 -2 -2 2 -2\nm polygon z1 0 0 12 -2 -2 2 -2 2 2 2 2 2 2 "
+            "-2 2\n" +
+            words("void light lamp 0 0 3", radiance, radiance, radiance, "lamp sphere l 0 0 4 0 0 0", lamp,
+                  "\n");
         test::TracedScene all(room, test::path_settings());
         RenderSettings direct_only = test::path_settings();
         direct_only.ambient_bounces = 0;

@@ -1,4 +1,5 @@
-// VALIDATION V3, closed isothermal enclosures: whatever the walls are made of, radiance is that of a black body everywhere.
+// VALIDATION V3, closed isothermal enclosures: whatever the walls are made of, radiance is that of a black
+// body everywhere.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -34,13 +35,16 @@ test::Estimate seen_inside(test::TracedScene& scene, int count) {
     return scene.mean_radiance(count, [](RandomStream& random) {
         const auto symmetric = [&] { return 2 * random.uniform() - 1; };
         const Vec3 origin{0.5 * symmetric(), 0.5 * symmetric(), 0.5 * symmetric()};
-        return test::RaySpec{origin, test::direction(std::acos(symmetric()), 2 * std::numbers::pi * random.uniform())};
+        return test::RaySpec{
+            origin, test::direction(std::acos(symmetric()), 2 * std::numbers::pi * random.uniform())};
     });
 }
 
 void expect_furnace(const std::string& scene_text, int count = rays) {
     SCOPED_TRACE(scene_text);
-    test::TracedScene scene(scene_text, test::path_settings());
+    RenderSettings settings = test::path_settings();
+    settings.min_weight = 2e-3;
+    test::TracedScene scene(scene_text, settings);
     test::expect_close(seen_inside(scene, count), black_body, bar);
     EXPECT_EQ(scene.tracer().bad_values(), 0u);
 }
@@ -48,7 +52,8 @@ void expect_furnace(const std::string& scene_text, int count = rays) {
 TEST(Furnace, DiffuseWallsOfAnyReflectance) {
     for (const double reflectance : {0.0, 0.1, 0.5, 0.9}) {
         const std::string text =
-            wall(test::words("void plastic m 0 0 5", reflectance, reflectance, reflectance, "0 0"), 1 - reflectance);
+            wall(test::words("void plastic m 0 0 5", reflectance, reflectance, reflectance, "0 0"),
+                 1 - reflectance);
         expect_furnace(text + sphere);
         expect_furnace(text + box);
     }
@@ -57,7 +62,8 @@ TEST(Furnace, DiffuseWallsOfAnyReflectance) {
 TEST(Furnace, RoughPlasticAndMetal) {
     for (const double roughness : {0.05, 0.3}) {
         const double plastic_albedo = 0.6 * 0.7 + 0.3;
-        expect_furnace(wall(test::words("void plastic m 0 0 5 .6 .6 .6 .3", roughness), 1 - plastic_albedo) + sphere);
+        expect_furnace(wall(test::words("void plastic m 0 0 5 .6 .6 .6 .3", roughness), 1 - plastic_albedo) +
+                       sphere);
         expect_furnace(wall(test::words("void metal m 0 0 5 .6 .6 .6 .8", roughness), 1 - 0.6) + box);
     }
 }
@@ -66,24 +72,52 @@ TEST(Furnace, RoughPlasticAndMetal) {
 TEST(Furnace, RoughPlasticBelowTheSpecularThreshold) {
     RenderSettings settings = test::path_settings();
     settings.specular_threshold = 0.15;
-    test::TracedScene scene(wall("void plastic m 0 0 5 .6 .6 .6 .1 .2", 1 - (0.6 * 0.9 + 0.1)) + sphere, settings);
+    test::TracedScene scene(wall("void plastic m 0 0 5 .6 .6 .6 .1 .2", 1 - (0.6 * 0.9 + 0.1)) + sphere,
+                            settings);
     test::expect_close(seen_inside(scene, rays), black_body, bar);
 }
 
+// Fixed limits in place of Russian roulette: what they cut off is what their figures say.
+TEST(Furnace, LimitsOfDepthAndWeightCostTheirShareOnly) {
+    const std::string scene_text = wall("void plastic m 0 0 5 .5 .5 .5 0 0", 0.5) + sphere;
+    RenderSettings settings = test::path_settings();
+    settings.max_reflections = 14;
+    settings.min_weight = 1e-6;
+    test::TracedScene deep(scene_text, settings);
+    const double rest = std::pow(0.5, 15);  // below 0.02 %
+    test::expect_close(seen_inside(deep, 100), black_body * (1 - rest), bar);
+
+    settings.max_reflections = 3;
+    test::TracedScene shallow(scene_text, settings);
+    test::expect_close(seen_inside(shallow, 100), black_body * (1 - std::pow(0.5, 4)), bar);
+
+    settings.max_reflections = 100;
+    settings.min_weight = 0.1;  // three bounces weigh 0.125
+    test::TracedScene light(scene_text, settings);
+    test::expect_close(seen_inside(light, 100), black_body * (1 - std::pow(0.5, 4)), bar);
+
+    settings.min_weight = 1e-6;
+    settings.ambient_bounces = 2;
+    settings.ambient_value[0] = settings.ambient_value[1] = settings.ambient_value[2] =
+        static_cast<float>(black_body);
+    test::TracedScene assumed(scene_text, settings);  // -av stands for all further bounces
+    test::expect_close(seen_inside(assumed, 100), black_body, bar);
+}
+
 TEST(Furnace, SmoothSurfacesEmitLessTowardsGrazing) {
-    // emissivity of the surface as a pattern: 1 - color (1 - r) - r with r = s + F (1 - s), F as RADIANCE approximates it
-    const std::string emissivity =
-        "void brightfunc e 2 1-(c*(1-r)+r) FILE 0 0\n";
+    // The emissivity as a pattern: (1 - color) (1 - r) with r = s + F (1 - s), F as RADIANCE approximates it
     const test::TemporaryFolder folder;
     test::write_file(folder / "smooth.cal",
                      "f = exp(-5.85*abs(Rdot)) - 0.00287989916;\n"
                      "plastic_e = (1 - A1)*(1 - (A2 + f*(1 - A2)));\n"
                      "metal_e = (1 - A1)*(1 - f);\n");
     const std::string file = folder / "smooth.cal";
-    expect_furnace(test::words("void brightfunc e 2 plastic_e", file, "0 2 .4 .1\nvoid plastic m 0 0 5 .4 .4 .4 .1 0\n",
-                               "e emissive wall 1 m 0 3", black_body, black_body, black_body, "\n", box));
-    expect_furnace(test::words("void brightfunc e 2 metal_e", file, "0 2 .7 .9\nvoid metal m 0 0 5 .7 .7 .7 .9 0\n",
-                               "e emissive wall 1 m 0 3", black_body, black_body, black_body, "\n", sphere));
+    expect_furnace(test::words("void brightfunc e 2 plastic_e", file,
+                               "0 2 .4 .1\nvoid plastic m 0 0 5 .4 .4 .4 .1 0\n", "e emissive wall 1 m 0 3",
+                               black_body, black_body, black_body, "\n", box));
+    expect_furnace(test::words("void brightfunc e 2 metal_e", file,
+                               "0 2 .7 .9\nvoid metal m 0 0 5 .7 .7 .7 .9 0\n", "e emissive wall 1 m 0 3",
+                               black_body, black_body, black_body, "\n", sphere));
 }
 
 TEST(Furnace, WallsOfDifferentEmissivityAndAnObjectInside) {
@@ -107,11 +141,12 @@ TEST(Furnace, WallsOfThreeTables) {
         const int count = file.table->theta_r_count();
         std::string nodes = std::to_string(count);
         for (int j = 0; j < count; ++j)
-            nodes += ' ' + test::words(1 - file.table->diffuse_reflectance() - file.table->lobe_reflectance_node(j));
-        expect_furnace(test::words("void brightfunc e 2 emissivity", folder / "angle.cal", "0", nodes, "\nvoid nrlbrdf m 1",
-                                   file.path, "0 5 1 1 1 1 .3\ne emissive wall 1 m 0 3", black_body, black_body,
-                                   black_body, "\n", sphere),
-                       20 * rays);
+            nodes += ' ' + test::words(1 - file.table->diffuse_reflectance() -
+                                       file.table->lobe_reflectance_node(j));
+        expect_furnace(test::words("void brightfunc e 2 emissivity", folder / "angle.cal", "0", nodes,
+                                   "\nvoid nrlbrdf m 1", file.path, "0 5 1 1 1 1 .3\ne emissive wall 1 m 0 3",
+                                   black_body, black_body, black_body, "\n", sphere),
+                       8 * rays);
     }
 }
 

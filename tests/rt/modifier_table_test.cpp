@@ -1,4 +1,6 @@
 // What every row of the modifier table has to keep, with an example of each type: a row without one fails.
+#include "rt/modifier_table.h"
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -6,21 +8,20 @@
 
 #include "rt/materials/scattering.h"
 #include "rt/materials/surface_material.h"
-#include "rt/modifier_table.h"
+#include "scene_pieces.h"
 #include "test_tables.h"
-#include "traced_scene.h"
 
 namespace infra {
 namespace {
 
 using enum PrimitiveType;
 
-constexpr double degree = std::numbers::pi / 180;
+using test::degree;
 
 struct Example {
     PrimitiveType type;
-    std::string text;      ///< defines the modifier "m"
-    double emission = 0;   ///< radiance that it sends out by itself
+    std::string text;     ///< defines the modifier "m"
+    double emission = 0;  ///< radiance that it sends out by itself
 };
 
 std::vector<Example> examples(const test::TemporaryFolder& folder) {
@@ -56,8 +57,6 @@ std::vector<Example> examples(const test::TemporaryFolder& folder) {
     return all;
 }
 
-const char* const plate = "\nm ring plate 0 0 8 0 0 0 0 0 1 0 1\n";
-
 TEST(ModifierTable, HasARowOnceForEachTypeAndAllAreModifiers) {
     std::set<PrimitiveType> seen;
     for (const ModifierRow& row : modifier_table()) {
@@ -80,7 +79,7 @@ TEST(ModifierTable, HasAnExampleForEachRow) {
 TEST(EveryModifier, ReflectsAndTransmitsNoMoreThanItGets) {
     const test::TemporaryFolder folder;
     for (const Example& example : examples(folder)) {
-        test::TracedScene scene(example.text + plate + test::surrounding(1), test::bounce_settings(4));
+        test::TracedScene scene(example.text + test::plate + test::surrounding(1), test::bounce_settings(4));
         for (const double angle : {0.0, 45.0, 60.0, 80.0, 85.0})
             for (const double side : {1.0, -1.0}) {
                 const Vec3 to_viewer = test::direction(angle * degree, 0.4) * side;
@@ -96,8 +95,9 @@ TEST(EveryModifier, ReflectsAndTransmitsNoMoreThanItGets) {
 TEST(EveryModifier, ShowsItsEmissionWhereNothingElseShines) {
     const test::TemporaryFolder folder;
     for (const Example& example : examples(folder)) {
-        test::TracedScene scene(example.text + plate, test::bounce_settings(1));
-        EXPECT_EQ(scene.radiance({0.1, 0.2, 3}, {0, 0, -1})[0], static_cast<float>(example.emission)) << example.text;
+        test::TracedScene scene(example.text + test::plate, test::bounce_settings(1));
+        EXPECT_EQ(scene.radiance({0.1, 0.2, 3}, {0, 0, -1})[0], static_cast<float>(example.emission))
+            << example.text;
     }
 }
 
@@ -110,14 +110,15 @@ TEST(EveryMaterial, EvaluatesToFiniteValuesAndOpaqueOnesToNoneBelow) {
     const test::TemporaryFolder folder;
     int tested = 0;
     for (const Example& example : examples(folder)) {
-        test::TracedScene scene(example.text + plate, test::bounce_settings(1));
+        test::TracedScene scene(example.text + test::plate, test::bounce_settings(1));
         const SurfaceMaterial* material = scattering_material(scene.compiled());
         if (!material) continue;
         ++tested;
         RandomStream random(1, 1);
         for (int n = 0; n < 500; ++n) {
             Ray ray(3);
-            const Vec3 wo = test::direction(std::acos(random.uniform()), 2 * std::numbers::pi * random.uniform());
+            const Vec3 wo =
+                test::direction(std::acos(random.uniform()), 2 * std::numbers::pi * random.uniform());
             ray.origin = wo;
             ray.direction = -wo;
             Interaction at(ray);

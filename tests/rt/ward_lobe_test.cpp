@@ -3,13 +3,13 @@
 #include <numbers>
 
 #include "rt/lobes/ward.h"
+#include "scene_pieces.h"
 #include "support/chi_square.h"
-#include "traced_scene.h"
 
 namespace infra {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+using test::degree;
 constexpr double view_angles[] = {0, 30, 60, 80};
 constexpr double roughnesses[] = {0.03, 0.1, 0.3};
 constexpr int case_count = static_cast<int>(std::size(view_angles) * std::size(roughnesses));
@@ -66,7 +66,8 @@ void for_all_cases(const Body& body) {
     std::uint64_t number = 0;
     for (const double view : view_angles)
         for (const double roughness : roughnesses) {
-            SCOPED_TRACE("viewer at " + std::to_string(view) + " deg, roughness " + std::to_string(roughness));
+            SCOPED_TRACE("viewer at " + std::to_string(view) + " deg, roughness " +
+                         std::to_string(roughness));
             body(view, roughness, ++number);
         }
 }
@@ -75,8 +76,8 @@ TEST(WardReflection, OneOfSeveralSamplesFollowsPdfAndCarriesEval) {
     const double level = test::sidak_level(1e-3, case_count);
     for_all_cases([&](double view, double roughness, std::uint64_t number) {
         const WardReflection lobe(Spectrum(3, 1), setting(view, roughness), 0);
-        const auto result =
-            sample_lobe(lobe, several, [&](const Vec3& wi) { return lobe.pdf(wi); }, false, number);
+        const auto result = sample_lobe(
+            lobe, several, [&](const Vec3& wi) { return lobe.pdf(wi); }, false, number);
         EXPECT_EQ(result.fault, "");
         EXPECT_GT(result.p, level) << "chi-square " << result.statistic << " of " << result.degrees;
         EXPECT_LE(result.integral, 1 + 1e-5);
@@ -101,8 +102,8 @@ TEST(WardReflection, ASingleSampleIsDrawnAgainUntilItLeavesTheSurface) {
         const WardReflection lobe(Spectrum(3, 1), setting(view, roughness), 0);
         const double accepted = hemisphere_integral([&](const Vec3& wi) { return lobe.pdf(wi); }, 1);
         const double scale = (1 - std::pow(std::max(0.0, 1 - accepted), attempts)) / accepted;
-        const auto result =
-            sample_lobe(lobe, 1, [&](const Vec3& wi) { return lobe.pdf(wi) * scale; }, false, number);
+        const auto result = sample_lobe(
+            lobe, 1, [&](const Vec3& wi) { return lobe.pdf(wi) * scale; }, false, number);
         EXPECT_EQ(result.fault, "");
         EXPECT_GT(result.p, level) << "chi-square " << result.statistic << " of " << result.degrees;
         EXPECT_NEAR(result.mean_weight, accepted * scale, 1e-3) << "all energy is kept";
@@ -112,7 +113,8 @@ TEST(WardReflection, ASingleSampleIsDrawnAgainUntilItLeavesTheSurface) {
 TEST(WardReflection, ATexturedNormalSendsNoSampleIntoTheSurface) {
     const Vec3 tilted = normalize(Vec3{-0.23, -0.19, 1});  // away from the viewer
     const WardReflection lobe(Spectrum(3, 1), setting(55, 0.2, tilted), 0);
-    const auto result = sample_lobe(lobe, several, [&](const Vec3& wi) { return lobe.pdf(wi); }, false, 1);
+    const auto result = sample_lobe(
+        lobe, several, [&](const Vec3& wi) { return lobe.pdf(wi); }, false, 1);
     EXPECT_EQ(result.fault, "");
     EXPECT_GT(result.p, 1e-3);
     EXPECT_LT(result.integral, 0.999);  // some are lost
@@ -123,7 +125,8 @@ TEST(WardReflection, IsReciprocal) {
     for (const double roughness : roughnesses)
         for (int n = 0; n < 1000; ++n) {
             const auto draw = [&] {
-                return test::direction(85 * degree * random.uniform(), 2 * std::numbers::pi * random.uniform());
+                return test::direction(85 * degree * random.uniform(),
+                                       2 * std::numbers::pi * random.uniform());
             };
             const Vec3 a = draw(), b = draw();
             WardSetting from_a = setting(0, roughness), from_b = from_a;
@@ -137,7 +140,8 @@ TEST(WardReflection, IsReciprocal) {
 
 TEST(WardReflection, ASourceOfSomeSizeWidensItOnlyWhenAsked) {
     const Vec3 mirror = test::direction(30 * degree, 0.7 + std::numbers::pi);
-    const WardReflection sharp(Spectrum(3, 1), setting(30, 0.1), 0), soft(Spectrum(3, 1), setting(30, 0.1), 1);
+    const WardReflection sharp(Spectrum(3, 1), setting(30, 0.1), 0),
+        soft(Spectrum(3, 1), setting(30, 0.1), 1);
     constexpr double omega = 0.2;
     EXPECT_EQ(sharp.eval(mirror, omega), sharp.eval(mirror, 0));
     EXPECT_EQ(soft.eval(mirror, 0), sharp.eval(mirror, 0));
@@ -150,8 +154,8 @@ TEST(WardTransmission, SamplesFollowTheirDensity) {
     for_all_cases([&](double view, double roughness, std::uint64_t number) {
         const WardSetting s = setting(view, roughness);
         const WardTransmission lobe(Spectrum(3, 1), s, s.view_direction);
-        const auto result =
-            sample_lobe(lobe, 1, [&](const Vec3& wi) { return lobe.pdf(wi); }, true, number);
+        const auto result = sample_lobe(
+            lobe, 1, [&](const Vec3& wi) { return lobe.pdf(wi); }, true, number);
         EXPECT_EQ(result.fault, "");
         EXPECT_GT(result.p, level) << "chi-square " << result.statistic << " of " << result.degrees;
         EXPECT_NEAR(result.integral, 1, 1e-4);

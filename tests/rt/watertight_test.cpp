@@ -26,18 +26,21 @@ struct Mesh {
         for (const Vec3& corner : corners) text += text_of(corner);
         text += "\n";
         const Vec3* list = corners.begin();
-        for (std::size_t n = 0; n < corners.size(); ++n) edges.push_back({list[n], list[(n + 1) % corners.size()]});
+        for (std::size_t n = 0; n < corners.size(); ++n)
+            edges.push_back({list[n], list[(n + 1) % corners.size()]});
     }
 };
 
-/// Rays from origin() to places on random edges; returns how many hit nothing nearer than a bit behind the edge.
+/// Rays from origin() to places on random edges; returns how many hit nothing nearer than a bit behind the
+/// edge.
 template <class Origin>
 int leaks(const Mesh& mesh, int count, const Origin& origin) {
     test::TracedScene scene(mesh.text);
     RandomStream random(3, 3);
     int lost = 0;
     for (int n = 0; n < count; ++n) {
-        const auto& edge = mesh.edges[static_cast<std::size_t>(random.uniform() * static_cast<double>(mesh.edges.size()))];
+        const auto& edge =
+            mesh.edges[static_cast<std::size_t>(random.uniform() * static_cast<double>(mesh.edges.size()))];
         const Vec3 target = edge[0] + (edge[1] - edge[0]) * random.uniform();
         const Vec3 from = origin(random);
         lost += scene.nearest(from, normalize(target - from)).surface < 0;
@@ -90,7 +93,8 @@ TEST(Watertight, CrumpledPlaneOfTriangles) {
     std::vector<Vec3> corners;
     for (int i = 0; i <= size; ++i)
         for (int k = 0; k <= size; ++k)
-            corners.push_back({i + 0.6 * random.uniform(), k + 0.6 * random.uniform(), 0.2 * random.uniform()});
+            corners.push_back(
+                {i + 0.6 * random.uniform(), k + 0.6 * random.uniform(), 0.2 * random.uniform()});
     const auto at = [&](int i, int k) { return corners[static_cast<std::size_t>(i * (size + 1) + k)]; };
     Mesh mesh;
     for (int i = 0; i < size; ++i)
@@ -103,20 +107,27 @@ TEST(Watertight, CrumpledPlaneOfTriangles) {
         return middle.x < 1.1 || middle.y < 1.1 || middle.x > size - 0.5 || middle.y > size - 0.5;
     });
     EXPECT_EQ(leaks(mesh, 300'000,
-                    [](RandomStream& r) { return Vec3{size * r.uniform(), size * r.uniform(), 1 + 30 * r.uniform()}; }),
+                    [](RandomStream& r) {
+                        return Vec3{size * r.uniform(), size * r.uniform(), 1 + 30 * r.uniform()};
+                    }),
               0);
     EXPECT_EQ(leaks(mesh, 50'000,
-                    [](RandomStream& r) { return Vec3{1000 * (r.uniform() - 0.5), 1000 * (r.uniform() - 0.5), 1000}; }),
+                    [](RandomStream& r) {
+                        return Vec3{1000 * (r.uniform() - 0.5), 1000 * (r.uniform() - 0.5), 1000};
+                    }),
               0);
 }
 
 TEST(Watertight, BoxOfPolygonsFromInside) {
     Mesh mesh;
     const auto corner = [](int n) { return Vec3{n & 1 ? 1.7 : -0.3, n & 2 ? 0.9 : -1.1, n & 4 ? 2.3 : 0.1}; };
-    constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+    constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                                 {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
     for (const auto& f : faces) mesh.add({corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3])});
     EXPECT_EQ(leaks(mesh, 200'000,
-                    [](RandomStream& r) { return Vec3{1.6 * r.uniform() - 0.2, 1.8 * r.uniform() - 1, 2 * r.uniform() + 0.2}; }),
+                    [](RandomStream& r) {
+                        return Vec3{1.6 * r.uniform() - 0.2, 1.8 * r.uniform() - 1, 2 * r.uniform() + 0.2};
+                    }),
               0);
 }
 

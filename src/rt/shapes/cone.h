@@ -27,13 +27,15 @@ struct Cone {
         const double r = r0 + slope * z;
         const double dr = slope * dz;
         double roots[2];
-        const int count = solve_quadratic(dot(d_radial, d_radial) - dr * dr, dot(radial, d_radial) - r * dr,
-                                          dot(radial, radial) - r * r, roots);
+        const double a = dot(d_radial, d_radial) - dr * dr;
+        const double half_b = dot(radial, d_radial) - r * dr;
+        const int count = solve_quadratic(a, half_b, dot(radial, radial) - r * r, roots);
         for (int i = 0; i < count; ++i) {
             if (roots[i] <= same_place) continue;
             const double at = z + roots[i] * dz;
             if (at < 0 || at > length) continue;
-            offer_hit(state, table, roots[i], (i == 0) != inward, surface, shape);
+            const bool entering = a * roots[i] + half_b < 0;  // squared distance less squared radius falls
+            offer_hit(state, table, roots[i], entering != inward, surface, shape);
             return;
         }
     }
