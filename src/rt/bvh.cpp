@@ -156,30 +156,30 @@ struct Bvh::Builder {
         const auto index = static_cast<std::int32_t>(bvh.nodes_.size());
         bvh.nodes_.emplace_back();
         for (int i = 0; i < 4; ++i) {
-            std::int32_t child = -1, items_in_leaf = -1;
+            std::int32_t child = 0;
             if (i < count) {
                 Range left, right;
-                if (!is_leaf[i] && split(children[i], left, right)) {
-                    child = make_node(left, right);
-                    items_in_leaf = 0;
-                } else {
-                    child = static_cast<std::int32_t>(children[i].begin);
-                    items_in_leaf = static_cast<std::int32_t>(children[i].size());
-                }
+                const bool inner = !is_leaf[i] && split(children[i], left, right);
+                child = inner ? make_node(left, right) : make_leaf(children[i]);
             }
-            set_child(bvh.nodes_[static_cast<std::size_t>(index)], i, i < count ? children[i].box : FloatBox{}, child,
-                      items_in_leaf);
+            set_child(bvh.nodes_[static_cast<std::size_t>(index)], i, i < count ? children[i].box : FloatBox{}, child);
         }
         return index;
     }
 
-    void set_child(Node& node, int lane, const FloatBox& box, std::int32_t child, std::int32_t count) const {
+    std::int32_t make_leaf(const Range& range) {
+        const auto first = static_cast<std::int32_t>(bvh.items_.size());
+        for (std::size_t i = range.begin; i < range.end; ++i) bvh.items_.push_back(items[i].id());
+        bvh.items_.push_back(end_of_leaf);
+        return ~first;
+    }
+
+    void set_child(Node& node, int lane, const FloatBox& box, std::int32_t child) const {
         for (int axis = 0; axis < 3; ++axis) {
             node.plane[0][axis][lane] = box.lo[axis] - pad;
             node.plane[1][axis][lane] = box.hi[axis] + pad;
         }
         node.child[lane] = child;
-        node.count[lane] = count;
     }
 };
 
@@ -219,15 +219,14 @@ void Bvh::build(std::vector<Item> items) {
     const Builder::Range all{0, item_count, whole, 0};
     Builder::Range left, right;
     nodes_.reserve(item_count / 4 + 1);
+    items_.reserve(item_count + item_count / 2);
     if (builder.split(all, left, right)) {
         builder.make_node(left, right);
     } else {
         nodes_.emplace_back();
-        builder.set_child(nodes_[0], 0, whole, 0, static_cast<std::int32_t>(item_count));
-        for (int lane = 1; lane < 4; ++lane) builder.set_child(nodes_[0], lane, FloatBox{}, -1, -1);
+        builder.set_child(nodes_[0], 0, whole, builder.make_leaf(all));
+        for (int lane = 1; lane < 4; ++lane) builder.set_child(nodes_[0], lane, FloatBox{}, 0);
     }
-    items_.reserve(item_count);
-    for (const Item& item : builder.items) items_.push_back(item.id());
 }
 
 bool Bvh::advance_to_box(const Vec3& origin, const Vec3& direction, double limit, double& enter) const {

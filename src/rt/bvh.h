@@ -46,7 +46,8 @@ class Bvh {
 
     void build(std::vector<Item> items);
 
-    /// The items' numbers in the order of the leaves. Numbers may be exchanged for others of the same things.
+    /// The items' numbers in the order of the leaves, with ~0u after each leaf. Numbers may be exchanged for others of
+    /// the same things; ~0u is no number.
     std::vector<std::uint32_t>& items() { return items_; }
 
     /// Calls visit(item) for every item whose box the ray may meet nearer than limit(), near boxes first. visit returns
@@ -60,11 +61,13 @@ class Bvh {
     typedef float Float4 __attribute__((vector_size(16)));
     typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
-    struct alignas(64) Node {
+    struct alignas(16) Node {
         Float4 plane[2][3];      // [low or high side][axis], a lane for each child
-        std::int32_t child[4];   // inner: index of a node; leaf: first item
-        std::int32_t count[4];   // items of a leaf, 0: inner node, -1: no child
+        std::int32_t child[4];   // index of a node, or the complement of a leaf's first item; an empty box: none
     };
+
+    static constexpr std::uint32_t end_of_leaf = ~0u;
+    static constexpr int stack_size = 256;
 
     struct Builder;
 
@@ -111,25 +114,24 @@ void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&&
     }
 
     constexpr float outward = 1.0f + 6e-7f;  // rounding of the far distances, four operations
-    struct Entry {
-        std::int32_t child, count;
-        float near;
-    };
-    Entry stack[256];
-    int depth = 0;
-    stack[depth++] = {0, 0, 0.0f};
+    // Nodes to visit and where the ray enters them, in two arrays so that no load spans two stores.
+    std::int32_t stack[stack_size];
+    float entry[stack_size];
+    int depth = 1;
+    stack[0] = 0;
+    entry[0] = 0.0f;
     float far = static_cast<float>(limit() - enter) * outward;
 
     while (depth > 0) {
-        const Entry entry = stack[--depth];
-        if (entry.near > far) continue;
-        if (entry.count > 0) {
-            for (std::int32_t i = entry.child; i < entry.child + entry.count; ++i)
-                if (visit(items_[static_cast<std::size_t>(i)])) return;
+        const std::int32_t place = stack[--depth];
+        if (entry[depth] > far) continue;
+        if (place < 0) {
+            for (const std::uint32_t* item = &items_[static_cast<std::size_t>(~place)]; *item != end_of_leaf; ++item)
+                if (visit(*item)) return;
             far = static_cast<float>(limit() - enter) * outward;
             continue;
         }
-        const Node& node = nodes_[static_cast<std::size_t>(entry.child)];
+        const Node& node = nodes_[static_cast<std::size_t>(place)];
         Float4 t_near = Float4{0, 0, 0, 0};
         Float4 t_far = Float4{far, far, far, far};
         for (int axis = 0; axis < 3; ++axis) {
@@ -141,11 +143,14 @@ void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&&
         const int first = depth;
         for (int hits = mask_bits(t_near <= t_far); hits; hits &= hits - 1) {
             const int lane = __builtin_ctz(static_cast<unsigned>(hits));
-            if (node.count[lane] < 0) continue;
-            const Entry child{node.child[lane], node.count[lane], t_near[lane]};
-            int place = depth++;  // keep the nearest on top
-            for (; place > first && stack[place - 1].near < child.near; --place) stack[place] = stack[place - 1];
-            stack[place] = child;
+            const float t = t_near[lane];
+            int i = depth++;  // keep the nearest on top
+            for (; i > first && entry[i - 1] < t; --i) {
+                entry[i] = entry[i - 1];
+                stack[i] = stack[i - 1];
+            }
+            entry[i] = t;
+            stack[i] = node.child[lane];
         }
     }
 }
