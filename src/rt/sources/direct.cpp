@@ -82,24 +82,36 @@ void divide_source(const LightSource& source, const Vec3& from, double weight, d
     parts.part[parts.count++] = whole;
 }
 
-// Keeps samples of round sources within their outline, with the area that the square of samples stands for.
-void round_off(const LightSource& source, double offset[3]) {
-    if (source.extent == LightSource::Extent::sphere) {
-        double largest = 0, sum = 0;
-        for (int i = 0; i < 3; ++i) {
-            const double squared = offset[i] * offset[i];
-            largest = std::max(largest, squared);
-            sum += squared;
-        }
-        const double trim = sum > tiny * tiny ? std::sqrt(largest / sum) / 0.7236 : 0.0;
-        for (int i = 0; i < 3; ++i) offset[i] *= trim;
+// Brings samples of a ball from the cube of the same volume into its outline.
+void round_off_ball(double offset[3]) {
+    double largest = 0, sum = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double squared = offset[i] * offset[i];
+        largest = std::max(largest, squared);
+        sum += squared;
+    }
+    const double trim = sum > tiny * tiny ? std::sqrt(largest / sum) / 0.7236 : 0.0;
+    for (int i = 0; i < 3; ++i) offset[i] *= trim;
+}
+
+// Brings samples of a disk from the square of the same area into its outline. Places that are spread at random are
+// mapped without change of area, so that their mean is exact (Shirley & Chiu, "A Low Distortion Map Between Disk and
+// Square", JGT 2, 1997); fixed ones lie where RADIANCE has them.
+void round_off_disk(double offset[3], bool spread) {
+    constexpr double widen = 1.1283791670955126;  // radius over half the side of the square: 2 / sqrt(pi)
+    const double u = offset[0], v = offset[1];
+    offset[2] = 0;
+    if (!spread) {
+        offset[0] = widen * u * std::sqrt(1.0 - 0.5 * v * v);
+        offset[1] = widen * v * std::sqrt(1.0 - 0.5 * u * u);
         return;
     }
-    constexpr double widen = 1.12837917;  // half side of the square of equal area to the radius: 2 / sqrt(pi)
-    const double u = offset[0], v = offset[1];
-    offset[0] = widen * u * std::sqrt(1.0 - 0.5 * v * v);
-    offset[1] = widen * v * std::sqrt(1.0 - 0.5 * u * u);
-    offset[2] = 0;
+    const bool wide = std::fabs(u) > std::fabs(v);
+    const double radius = wide ? u : v;
+    if (radius == 0) return;
+    const double angle = (std::numbers::pi / 4) * (wide ? v / u : u / v);
+    offset[wide ? 0 : 1] = widen * radius * std::cos(angle);
+    offset[wide ? 1 : 0] = widen * radius * std::sin(angle);
 }
 
 }  // namespace
@@ -166,7 +178,13 @@ void Tracer::consider_source(int number, const Scattering& scattering, const Int
             offset[1] += jitter * (1 - 2 * random_.uniform()) * part.half[1];
             if (source.extent != LightSource::Extent::flat) offset[2] += jitter * (1 - 2 * random_.uniform());
         }
-        if (source.round && (parts.count > 1 || jitter > 0.7)) round_off(source, offset);
+        if (source.round && (parts.count > 1 || jitter > 0.7)) {
+            if (source.extent == LightSource::Extent::sphere) {
+                round_off_ball(offset);
+            } else {
+                round_off_disk(offset, jitter > tiny);
+            }
+        }
         const Vec3 target = source.center + source.half_axis[0] * offset[0] + source.half_axis[1] * offset[1] +
                             source.half_axis[2] * offset[2];
         add_sample(number, scattering, at, target, part.half[0] * part.half[1]);
