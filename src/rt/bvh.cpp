@@ -10,7 +10,7 @@ namespace infra {
 namespace {
 
 constexpr int bin_count = 16;
-constexpr int leaf_size = 4;
+constexpr int leaf_size = 2;
 constexpr int deepest = 60;  // of the binary tree; a walk's stack holds three entries a level
 
 typedef float Float4 __attribute__((vector_size(16)));
@@ -218,7 +218,7 @@ void Bvh::build(std::vector<Item> items) {
 
     const Builder::Range all{0, item_count, whole, 0};
     Builder::Range left, right;
-    nodes_.reserve(item_count / 4 + 1);
+    nodes_.reserve(item_count / 2 + 1);  // more than is needed mostly; what is not touched takes no memory
     items_.reserve(item_count + item_count / 2);
     if (builder.split(all, left, right)) {
         builder.make_node(left, right);
