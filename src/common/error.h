@@ -7,7 +7,8 @@
 
 namespace infra {
 
-/// Place in a user's text. An empty file means "nowhere in particular"; line and column count from 1, 0 is unknown.
+/// Place in a user's text. An empty file means "nowhere in particular"; line and column count from 1, 0 is
+/// unknown.
 struct Location {
     std::string file;
     int line = 0;
@@ -17,7 +18,8 @@ struct Location {
 /// Exit status of a program, as RADIANCE's severities.
 enum class Severity { user = 1, system = 2, internal = 3 };
 
-/// what() is the whole line after "program: ", that is "file:line:column: message (hint)" without the parts not known.
+/// what() is the whole line after "program: ", that is "file:line:column: message (hint)" without the parts
+/// not known.
 class Error : public std::runtime_error {
   public:
     Error(Location where, std::string_view message, std::string_view hint = {},
@@ -36,8 +38,8 @@ class Error : public std::runtime_error {
     Severity severity_;
 };
 
-/// The name in `known` nearest to `name` by edit distance, or "" when none is near enough to be a likely slip.
-/// shape: Range is any range of things convertible to string_view.
+/// The name in `known` nearest to `name` by edit distance, or "" when none is near enough to be a likely
+/// slip. shape: Range is any range of things convertible to string_view.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 template <class Range>
 std::string nearest_name(std::string_view name, const Range& known) {
@@ -54,7 +56,8 @@ std::string nearest_name(std::string_view name, const Range& known) {
     return best;
 }
 
-/// Runs a program's body: prints any exception as "program: what" on stderr and turns it into the exit status.
+/// Runs a program's body: prints any exception as "program: what" on stderr and turns it into the exit
+/// status.
 int run_program(const char* name, int (*body)(int argc, char** argv), int argc, char** argv);
 
 }  // namespace infra

@@ -21,7 +21,7 @@ class TableText {
     bool mirror_at_zero() const { return mirror_at_zero_; }
 
     /// The next number; false at the end.
-    ///   throws  infra::Error for what is not a finite number, or a directive after the first number
+    ///   throws  infra::Error for what is no number, or a directive after the first number; nan and inf pass
     bool next(double& number);
 
     /// Line of the number that next() gave last, also once it has met the end; 1 before the first.

@@ -124,9 +124,10 @@ struct Bvh::Builder {
             left.end = right.begin = range.begin + range.size() / 2;
         } else {
             const auto begin = items.begin();
-            const auto middle = std::partition(
-                begin + static_cast<std::ptrdiff_t>(range.begin), begin + static_cast<std::ptrdiff_t>(range.end),
-                [&](const Item& item) { return bin(box_of(item))[best_axis] <= best_bin; });
+            const auto middle =
+                std::partition(begin + static_cast<std::ptrdiff_t>(range.begin),
+                               begin + static_cast<std::ptrdiff_t>(range.end),
+                               [&](const Item& item) { return bin(box_of(item))[best_axis] <= best_bin; });
             left.end = right.begin = static_cast<std::size_t>(middle - begin);
         }
         for (std::size_t i = left.begin; i < left.end; ++i) left.box.extend(box_of(items[i]));
@@ -142,7 +143,8 @@ struct Bvh::Builder {
         while (count < 4) {  // open the largest child that can be split
             int largest = -1;
             for (int i = 0; i < count; ++i)
-                if (!is_leaf[i] && (largest < 0 || children[i].box.half_area() > children[largest].box.half_area()))
+                if (!is_leaf[i] &&
+                    (largest < 0 || children[i].box.half_area() > children[largest].box.half_area()))
                     largest = i;
             if (largest < 0) break;
             Range left, right;
@@ -162,7 +164,8 @@ struct Bvh::Builder {
                 const bool inner = !is_leaf[i] && split(children[i], left, right);
                 child = inner ? make_node(left, right) : make_leaf(children[i]);
             }
-            set_child(bvh.nodes_[static_cast<std::size_t>(index)], i, i < count ? children[i].box : FloatBox{}, child);
+            set_child(bvh.nodes_[static_cast<std::size_t>(index)], i,
+                      i < count ? children[i].box : FloatBox{}, child);
         }
         return index;
     }

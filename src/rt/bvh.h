@@ -1,10 +1,10 @@
-// Bounding volume hierarchy over the shapes of a scene: four children a node, boxes in single precision rounded outward,
-// built by the surface area heuristic.
+// Bounding volume hierarchy over the shapes of a scene: four children a node, boxes in single precision
+// rounded outward, built by the surface area heuristic.
 //
-// A ray is first moved to where it enters the scene's box, so that single precision is relative to the scene's size
-// however far away the viewer stands; the shapes themselves are tested in double precision from the true origin.
-// source: Wald, Benthin & Boulos, "Getting Rid of Packets" (2008), for the four-wide layout; Wald, "On fast Construction
-// of SAH-based Bounding Volume Hierarchies" (2007), for the binned build.
+// A ray is first moved to where it enters the scene's box, so that single precision is relative to the
+// scene's size however far away the viewer stands; the shapes themselves are tested in double precision from
+// the true origin. source: Wald, Benthin & Boulos, "Getting Rid of Packets" (2008), for the four-wide layout;
+// Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007), for the binned build.
 #pragma once
 
 #include <algorithm>
@@ -46,24 +46,27 @@ class Bvh {
 
     void build(std::vector<Item> items);
 
-    /// The items' numbers in the order of the leaves, with ~0u after each leaf. Numbers may be exchanged for others of
-    /// the same things; ~0u is no number.
+    /// The items' numbers in the order of the leaves, with ~0u after each leaf. Numbers may be exchanged for
+    /// others of the same things; ~0u is no number.
     std::vector<std::uint32_t>& items() { return items_; }
 
-    /// Calls visit(item) for every item whose box the ray may meet nearer than limit(), near boxes first. visit returns
-    /// true to end the walk. limit() is asked again after every visit.
+    /// Calls visit(item) for every item whose box the ray may meet nearer than limit(), near boxes first.
+    /// visit returns true to end the walk. limit() is asked again after every visit.
     template <class Visit, class Limit>
     void walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&& limit) const;
 
-    std::size_t memory_bytes() const { return nodes_.size() * sizeof(Node) + items_.size() * sizeof(items_[0]); }
+    std::size_t memory_bytes() const {
+        return nodes_.size() * sizeof(Node) + items_.size() * sizeof(items_[0]);
+    }
 
   private:
     typedef float Float4 __attribute__((vector_size(16)));
     typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
     struct alignas(16) Node {
-        Float4 plane[2][3];      // [low or high side][axis], a lane for each child
-        std::int32_t child[4];   // index of a node, or the complement of a leaf's first item; an empty box: none
+        Float4 plane[2][3];  // [low or high side][axis], a lane for each child
+        std::int32_t
+            child[4];  // index of a node, or the complement of a leaf's first item; an empty box: none
     };
 
     static constexpr std::uint32_t end_of_leaf = ~0u;
@@ -80,8 +83,8 @@ class Bvh {
     }
 
     bool near_box(const Vec3& p) const {
-        return p.x >= near_lo_.x && p.y >= near_lo_.y && p.z >= near_lo_.z && p.x <= near_hi_.x && p.y <= near_hi_.y &&
-               p.z <= near_hi_.z;
+        return p.x >= near_lo_.x && p.y >= near_lo_.y && p.z >= near_lo_.z && p.x <= near_hi_.x &&
+               p.y <= near_hi_.y && p.z <= near_hi_.z;
     }
     /// Distance at which a ray enters the box; false if it misses it or the limit comes first.
     bool advance_to_box(const Vec3& origin, const Vec3& direction, double limit, double& enter) const;
@@ -100,7 +103,9 @@ void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&&
     double enter = 0;
     if (!near_box(origin) && !advance_to_box(origin, direction, limit(), enter)) return;
 
-    const auto component = [](double d) { return static_cast<float>(std::fabs(d) < 1e-30 ? std::copysign(1e-30, d) : d); };
+    const auto component = [](double d) {
+        return static_cast<float>(std::fabs(d) < 1e-30 ? std::copysign(1e-30, d) : d);
+    };
     const Float4 d{component(direction.x), component(direction.y), component(direction.z), 1.0f};
     const Float4 inverse = 1.0f / d;
     Float4 start[3], slope[3];
@@ -126,7 +131,8 @@ void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&&
         const std::int32_t place = stack[--depth];
         if (entry[depth] > far) continue;
         if (place < 0) {
-            for (const std::uint32_t* item = &items_[static_cast<std::size_t>(~place)]; *item != end_of_leaf; ++item)
+            for (const std::uint32_t* item = &items_[static_cast<std::size_t>(~place)]; *item != end_of_leaf;
+                 ++item)
                 if (visit(*item)) return;
             far = static_cast<float>(limit() - enter) * outward;
             continue;

@@ -1,4 +1,5 @@
-// The scene as the tracer sees it: surfaces, modifiers, light sources, function code. Immutable and shared by all threads.
+// The scene as the tracer sees it: surfaces, modifiers, light sources, function code. Immutable and shared by
+// all threads.
 #pragma once
 
 #include <memory>
@@ -25,8 +26,10 @@ class CompiledScene {
   public:
     /// Compiles what the surfaces of `scene` use; the scene is kept for names and error places.
     ///   definitions  added to the function library after lib/rayinit.cal, in order
-    ///   throws       Error for wrong arguments, undefined names, missing files, types whose shading is not built yet
-    static std::shared_ptr<const CompiledScene> compile(Scene scene, const RenderSettings& settings, int channels,
+    ///   throws       Error for wrong arguments, undefined names, missing files, types whose shading is not
+    ///   built yet
+    static std::shared_ptr<const CompiledScene> compile(Scene scene, const RenderSettings& settings,
+                                                        int channels,
                                                         const std::vector<FunctionDefinition>& definitions);
 
     int channels() const { return channels_; }

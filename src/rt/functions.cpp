@@ -26,8 +26,10 @@ double channel_value(const void* self, int number) {
     const LocalView& view = *static_cast<const LocalView*>(self);
     const Interaction& at = *view.at;
     const auto& m = view.to_local->matrix;
-    if (number >= 1 && number < cal::surface_normal) return local_direction(view, at.ray->direction, number - 1);
-    if (number < cal::intersection_point) return local_direction(view, at.normal, number - cal::surface_normal);
+    if (number >= 1 && number < cal::surface_normal)
+        return local_direction(view, at.ray->direction, number - 1);
+    if (number < cal::intersection_point)
+        return local_direction(view, at.normal, number - cal::surface_normal);
     if (number < cal::total_distance) {
         const int i = number - cal::intersection_point;
         return at.point.x * m[0][i] + at.point.y * m[1][i] + at.point.z * m[2][i] + m[3][i];
@@ -40,7 +42,8 @@ double channel_value(const void* self, int number) {
     if (number < cal::world_k) return m[1][number - cal::world_j] / view.scale;
     if (number < cal::shadow_distance) return m[2][number - cal::world_k] / view.scale;
     if (number == cal::shadow_distance) return (at.distance + at.ray->shadow_before) * view.scale;
-    if (number == cal::local_u || number == cal::local_v) return 0;  // only meshes have coordinates of their own
+    if (number == cal::local_u || number == cal::local_v)
+        return 0;  // only meshes have coordinates of their own
     throw Error("illegal channel number " + std::to_string(number));
 }
 
@@ -49,7 +52,8 @@ double channel_value(const void* self, int number) {
 FunctionSet::FunctionSet(ModifierContext& context, std::size_t first, std::size_t count, std::size_t file)
     : scale_(1), reals_(context.reals()), where_(context.scene.location(context.id)) {
     const auto strings = context.strings();
-    owner_ = std::string(infra::name(context.scene.type(context.id))) + " \"" + std::string(context.name()) + "\"";
+    owner_ =
+        std::string(infra::name(context.scene.type(context.id))) + " \"" + std::string(context.name()) + "\"";
     if (strings.size() <= file) throw context.error("too few string arguments");
 
     Location start = where_;
@@ -58,7 +62,8 @@ FunctionSet::FunctionSet(ModifierContext& context, std::size_t first, std::size_
     for (std::size_t i = 0; i < count; ++i)
         expressions_.push_back(context.functions.compile(strings[first + i], start, function_context));
 
-    std::vector<std::string_view> words(strings.begin() + static_cast<std::ptrdiff_t>(file) + 1, strings.end());
+    std::vector<std::string_view> words(strings.begin() + static_cast<std::ptrdiff_t>(file) + 1,
+                                        strings.end());
     const auto begin = std::find_if(words.begin(), words.end(), is_transform_option);
     words.erase(words.begin(), begin);
     if (!words.empty()) {

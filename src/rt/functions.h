@@ -17,8 +17,8 @@ class Tracer;
 /// Expressions, the transform into the coordinates they are written for, and the real arguments they see.
 class FunctionSet {
   public:
-    /// Compiles `count` expressions from the string arguments [first, first + count); the function file's name is
-    /// argument `file`, and a transform may follow it.
+    /// Compiles `count` expressions from the string arguments [first, first + count); the function file's
+    /// name is argument `file`, and a transform may follow it.
     ///   throws  Error for too few arguments, bad syntax, a missing file, a bad transform
     FunctionSet(ModifierContext& context, std::size_t first, std::size_t count, std::size_t file);
 

@@ -40,7 +40,8 @@ void Geometry::note(Kind kind, std::size_t index, int surface, const Box& box) {
 bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
     const std::span<const double> numbers = scene.reals(id);
     switch (const PrimitiveType type = scene.type(id)) {
-        case PrimitiveType::polygon: return add_polygon(numbers, surface);
+        case PrimitiveType::polygon:
+            return add_polygon(numbers, surface);
         case PrimitiveType::sphere:
         case PrimitiveType::bubble: {
             const double radius = std::fabs(numbers[3]);
@@ -54,7 +55,8 @@ bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
         case PrimitiveType::cone:
         case PrimitiveType::cup:
         case PrimitiveType::cylinder:
-        case PrimitiveType::tube: return add_cone(type, numbers, surface);
+        case PrimitiveType::tube:
+            return add_cone(type, numbers, surface);
         case PrimitiveType::ring: {
             const double inner = std::min(numbers[6], numbers[7]), outer = std::max(numbers[6], numbers[7]);
             const Vec3 axis = vec(numbers, 3);
@@ -65,7 +67,8 @@ bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
             return true;
         }
         default:
-            throw scene.error(id, std::string("type \"") + std::string(name(type)) + "\" is not supported yet");
+            throw scene.error(id,
+                              std::string("type \"") + std::string(name(type)) + "\" is not supported yet");
     }
 }
 
@@ -122,7 +125,8 @@ void Geometry::build() {
     sort_triangles();
 }
 
-// Brings the triangles into the order of the hierarchy's leaves, so that a leaf's triangles share cache lines.
+// Brings the triangles into the order of the hierarchy's leaves, so that a leaf's triangles share cache
+// lines.
 void Geometry::sort_triangles() {
     std::vector<ShapeRef> old_place;  // by new place
     old_place.reserve(triangles_.size());
@@ -151,11 +155,16 @@ void Geometry::sort_triangles() {
 inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const {
     const std::size_t i = index(shape);
     switch (kind(shape)) {
-        case triangle: return triangles_[i].intersect(origin, direction, table_, shape, state);
-        case polygon: return polygons_[i].intersect(origin, direction, table_, shape, state);
-        case sphere: return spheres_[i].intersect(origin, direction, table_, shape, state);
-        case cone: return cones_[i].intersect(origin, direction, table_, shape, state);
-        case ring: return rings_[i].intersect(origin, direction, table_, shape, state);
+        case triangle:
+            return triangles_[i].intersect(origin, direction, table_, shape, state);
+        case polygon:
+            return polygons_[i].intersect(origin, direction, table_, shape, state);
+        case sphere:
+            return spheres_[i].intersect(origin, direction, table_, shape, state);
+        case cone:
+            return cones_[i].intersect(origin, direction, table_, shape, state);
+        case ring:
+            return rings_[i].intersect(origin, direction, table_, shape, state);
     }
 }
 
@@ -169,12 +178,14 @@ void Geometry::intersect(const Vec3& origin, const Vec3& direction, ShapeRef lea
         [&] { return state.distance + same_place; });
 }
 
-bool Geometry::intersect_one(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const {
+bool Geometry::intersect_one(ShapeRef shape, const Vec3& origin, const Vec3& direction,
+                             HitState& state) const {
     test(shape, origin, direction, state);
     return state.surface >= 0;
 }
 
-Geometry::View Geometry::view(const Vec3& origin, const Vec3& direction, double distance, ShapeRef leaving) const {
+Geometry::View Geometry::view(const Vec3& origin, const Vec3& direction, double distance,
+                              ShapeRef leaving) const {
     View found = View::clear;
     const double limit = distance - same_place;
     bvh_.walk(
@@ -195,18 +206,24 @@ Geometry::View Geometry::view(const Vec3& origin, const Vec3& direction, double 
 Vec3 Geometry::normal(ShapeRef shape, const Vec3& point) const {
     const std::size_t i = index(shape);
     switch (kind(shape)) {
-        case triangle: return triangles_[i].normal();
-        case polygon: return polygons_[i].normal;
-        case sphere: return spheres_[i].normal(point);
-        case cone: return cones_[i].normal(point);
-        case ring: return rings_[i].unit_normal;
+        case triangle:
+            return triangles_[i].normal();
+        case polygon:
+            return polygons_[i].normal;
+        case sphere:
+            return spheres_[i].normal(point);
+        case cone:
+            return cones_[i].normal(point);
+        case ring:
+            return rings_[i].unit_normal;
     }
     return Vec3{0, 0, 1};
 }
 
 std::size_t Geometry::memory_bytes() const {
     std::size_t corner_bytes = 0;
-    for (const Polygon& p : polygons_) corner_bytes += 2 * sizeof(double) * static_cast<std::size_t>(p.corner_count);
+    for (const Polygon& p : polygons_)
+        corner_bytes += 2 * sizeof(double) * static_cast<std::size_t>(p.corner_count);
     return triangles_.size() * sizeof(Triangle) + polygons_.size() * sizeof(Polygon) + corner_bytes +
            spheres_.size() * sizeof(Sphere) + cones_.size() * sizeof(Cone) + rings_.size() * sizeof(Ring) +
            shape_of_.size() * sizeof(ShapeRef) + bvh_.memory_bytes();

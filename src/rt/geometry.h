@@ -21,7 +21,13 @@ using ShapeRef = std::uint32_t;
 
 class Geometry {
   public:
-    enum Kind : std::uint32_t { triangle, polygon, sphere, cone, ring };  // triangle is 0: sort_triangles relies on it
+    enum Kind : std::uint32_t {
+        triangle,
+        polygon,
+        sphere,
+        cone,
+        ring
+    };  // triangle is 0: sort_triangles relies on it
 
     /// What stands between two points.
     enum class View { clear, blocked, filtered };
@@ -31,7 +37,8 @@ class Geometry {
 
     /// Makes room for this many surfaces, of which so many are triangles.
     void reserve(std::size_t surfaces, std::size_t triangles);
-    /// Adds a primitive's shape as surface number `surface`. False for one that no ray can meet (no area, no radius).
+    /// Adds a primitive's shape as surface number `surface`. False for one that no ray can meet (no area, no
+    /// radius).
     ///   throws  Error if the primitive's type is no shape known here
     bool add(const Scene& scene, PrimitiveId id, int surface);
     /// Builds the hierarchy; to be called once, after the last add().
@@ -46,12 +53,16 @@ class Geometry {
 
     /// Unit normal of a shape at a point on it.
     Vec3 normal(ShapeRef shape, const Vec3& point) const;
-    static bool is_flat(ShapeRef shape) { return kind(shape) == triangle || kind(shape) == polygon || kind(shape) == ring; }
+    static bool is_flat(ShapeRef shape) {
+        return kind(shape) == triangle || kind(shape) == polygon || kind(shape) == ring;
+    }
 
     /// Shape of a surface, no_shape if it has none.
     static constexpr ShapeRef no_shape = ~0u;
     ShapeRef shape_of(int surface) const {
-        return static_cast<std::size_t>(surface) < shape_of_.size() ? shape_of_[static_cast<std::size_t>(surface)] : no_shape;
+        return static_cast<std::size_t>(surface) < shape_of_.size()
+                   ? shape_of_[static_cast<std::size_t>(surface)]
+                   : no_shape;
     }
 
     std::size_t memory_bytes() const;
@@ -69,7 +80,7 @@ class Geometry {
     std::vector<Triangle> triangles_;
     std::vector<Polygon> polygons_;
     std::vector<std::unique_ptr<double[]>> corners_;
-    std::vector<Bvh::Item> items_;      // for building only
+    std::vector<Bvh::Item> items_;  // for building only
     std::vector<Sphere> spheres_;
     std::vector<Cone> cones_;
     std::vector<Ring> rings_;

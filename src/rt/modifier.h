@@ -1,4 +1,5 @@
-// A node of the compiled scene that a surface's chain of modifiers runs through: pattern, mixture or material.
+// A node of the compiled scene that a surface's chain of modifiers runs through: pattern, mixture or
+// material.
 #pragma once
 
 #include <string_view>
@@ -25,8 +26,8 @@ class Modifier {
     Modifier(const Modifier&) = delete;
     Modifier& operator=(const Modifier&) = delete;
 
-    /// A material sets the interaction's radiance and answers true; a pattern multiplies its `pattern` and answers
-    /// false. Materials run the patterns behind them (`next`) by themselves.
+    /// A material sets the interaction's radiance and answers true; a pattern multiplies its `pattern` and
+    /// answers false. Materials run the patterns behind them (`next`) by themselves.
     virtual bool shade(Tracer& tracer, Interaction& at) const = 0;
 
     /// Traits if this node is a material, or a mixture of some.

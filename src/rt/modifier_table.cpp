@@ -6,12 +6,11 @@ namespace {
 using enum PrimitiveType;
 
 constexpr ModifierRow rows[] = {
-    {plastic, make_plastic},       {metal, make_metal},       {trans, make_trans},
-    {glass, make_glass},
-    {light, make_light},           {glow, make_glow},         {illum, make_illum},
-    {spotlight, make_spotlight},   {emissive, make_emissive}, {nrlbrdf, make_nrlbrdf},
-    {brightfunc, make_brightfunc}, {colorfunc, make_colorfunc},
-    {texfunc, make_texfunc},       {mixfunc, make_mixfunc},
+    {plastic, make_plastic}, {metal, make_metal},           {trans, make_trans},
+    {glass, make_glass},     {light, make_light},           {glow, make_glow},
+    {illum, make_illum},     {spotlight, make_spotlight},   {emissive, make_emissive},
+    {nrlbrdf, make_nrlbrdf}, {brightfunc, make_brightfunc}, {colorfunc, make_colorfunc},
+    {texfunc, make_texfunc}, {mixfunc, make_mixfunc},
 };
 
 }  // namespace
@@ -31,12 +30,17 @@ std::vector<std::string_view> referenced_modifiers(const Scene& scene, Primitive
         case alias:
         case illum:
         case mirror:
-        case emissive: count = 1; break;
+        case emissive:
+            count = 1;
+            break;
         case mixfunc:
         case mixdata:
         case mixpict:
-        case mixtext: count = 2; break;
-        default: break;
+        case mixtext:
+            count = 2;
+            break;
+        default:
+            break;
     }
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < count && i < strings.size(); ++i)
@@ -47,7 +51,8 @@ std::vector<std::string_view> referenced_modifiers(const Scene& scene, Primitive
 Spectrum ModifierContext::color(std::size_t first) const {
     const auto numbers = reals();
     Spectrum result(channels);
-    for (int c = 0; c < 3; ++c) result.set(c, static_cast<float>(numbers[first + static_cast<std::size_t>(c)]));
+    for (int c = 0; c < 3; ++c)
+        result.set(c, static_cast<float>(numbers[first + static_cast<std::size_t>(c)]));
     return result;
 }
 

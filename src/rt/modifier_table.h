@@ -22,8 +22,8 @@ struct TableCache;
 class ModifierContext {
   public:
     const Scene& scene;
-    PrimitiveId id;               ///< whose arguments to read; their number has been checked
-    const Modifier* next;         ///< what modifies it
+    PrimitiveId id;        ///< whose arguments to read; their number has been checked
+    const Modifier* next;  ///< what modifies it
     int channels;
     const RenderSettings& settings;
     cal::Library& functions;
@@ -38,7 +38,9 @@ class ModifierContext {
     Spectrum color(std::size_t first) const;
     /// The modifier that a string argument names: nullptr for void.
     const Modifier* modifier_named(std::string_view name) const;
-    Error error(std::string_view message, std::string_view hint = {}) const { return scene.error(id, message, hint); }
+    Error error(std::string_view message, std::string_view hint = {}) const {
+        return scene.error(id, message, hint);
+    }
 };
 
 struct ModifierRow {

@@ -1,7 +1,7 @@
 // A ray and the place where it ends.
 //
-// Directions have unit length, distances are in scene units. A Ray is what goes out; an Interaction is what it meets and
-// the radiance that comes back. Both live on the stack of the worker that traces them.
+// Directions have unit length, distances are in scene units. A Ray is what goes out; an Interaction is what
+// it meets and the radiance that comes back. Both live on the stack of the worker that traces them.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ enum RayKind : std::uint16_t {
     primary_ray = 1,
     reflected_shadow = 2,
     mirrored_ray = 4,
-    through_ray = 8,          ///< straight on, or transmitted without scatter
+    through_ray = 8,  ///< straight on, or transmitted without scatter
     reflected_ambient = 16,
     reflected_lobe = 32,
     through_shadow = 64,
@@ -43,17 +43,17 @@ struct Interaction;
 struct Ray {
     Vec3 origin{0};
     Vec3 direction{0, 0, 1};
-    double max_distance = 0;        ///< nothing beyond is seen; 0: no limit
-    double path_before = 0;         ///< length of the path from the eye to the origin
-    double shadow_before = 0;       ///< length of the shadow rays before this one
+    double max_distance = 0;   ///< nothing beyond is seen; 0: no limit
+    double path_before = 0;    ///< length of the path from the eye to the origin
+    double shadow_before = 0;  ///< length of the shadow rays before this one
     const Interaction* parent = nullptr;
     std::uint32_t leaving = no_flat_shape;  ///< flat shape that the ray starts on and so cannot meet
-    double weight = 1;              ///< share of the primary ray's value that this one can still change
-    Spectrum coefficient;           ///< of this ray's radiance in its parent's
-    int level = 0;                  ///< reflections so far
-    int depth = 0;                  ///< rays before this one, of any kind
-    int ambient_level = 0;          ///< diffuse bounces so far
-    int aimed_source = -1;          ///< the light source that a shadow ray goes to
+    double weight = 1;      ///< share of the primary ray's value that this one can still change
+    Spectrum coefficient;   ///< of this ray's radiance in its parent's
+    int level = 0;          ///< reflections so far
+    int depth = 0;          ///< rays before this one, of any kind
+    int ambient_level = 0;  ///< diffuse bounces so far
+    int aimed_source = -1;  ///< the light source that a shadow ray goes to
     std::uint16_t kind = primary_ray;
     std::uint16_t lineage = primary_ray;
 
@@ -63,24 +63,24 @@ struct Ray {
 
 struct Interaction {
     const Ray* ray;
-    double weight;                  ///< the ray's, less within mixtures
-    double share = 1;               ///< of this part in the mixture that it belongs to
+    double weight;     ///< the ray's, less within mixtures
+    double share = 1;  ///< of this part in the mixture that it belongs to
 
     // Where: set by the intersection, the point is the ray's origin where nothing near was hit
     double distance = infinite_distance;
     Vec3 point;
-    Vec3 normal;                    ///< of the surface, turned to the ray once a material has seen its back
-    double cosine = 1;              ///< of ray and normal, negative from behind
+    Vec3 normal;        ///< of the surface, turned to the ray once a material has seen its back
+    double cosine = 1;  ///< of ray and normal, negative from behind
     std::uint32_t flat_shape = no_flat_shape;  ///< the shape if it is flat
-    int surface = -1;               ///< index among the scene's surfaces, -1: nothing
-    Vec3 perturbation{0};           ///< of the normal, the sum of the textures met so far
+    int surface = -1;                          ///< index among the scene's surfaces, -1: nothing
+    Vec3 perturbation{0};                      ///< of the normal, the sum of the textures met so far
     bool flipped = false;
-    bool discounted = false;        ///< a light source met by a ray that must not count it
+    bool discounted = false;  ///< a light source met by a ray that must not count it
 
     // What: set while shading
-    Spectrum pattern;               ///< product of the patterns met so far
-    Spectrum radiance;              ///< towards the ray's origin
-    Spectrum mirrored;              ///< the part of it that is a mirror image
+    Spectrum pattern;   ///< product of the patterns met so far
+    Spectrum radiance;  ///< towards the ray's origin
+    Spectrum mirrored;  ///< the part of it that is a mirror image
     double mirrored_distance = infinite_distance;
     double direct_distance = infinite_distance;  ///< optical length of the rest
 

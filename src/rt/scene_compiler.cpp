@@ -1,5 +1,5 @@
-// From primitives to surfaces, modifiers and light sources. Only what surfaces use is compiled, so that a library of
-// materials costs nothing and its unused parts may be incomplete, as in RADIANCE.
+// From primitives to surfaces, modifiers and light sources. Only what surfaces use is compiled, so that a
+// library of materials costs nothing and its unused parts may be incomplete, as in RADIANCE.
 #include <unordered_map>
 #include <unordered_set>
 
@@ -15,7 +15,11 @@ namespace infra {
 class SceneCompiler {
   public:
     SceneCompiler(CompiledScene& target, const RenderSettings& settings)
-        : out_(target), scene_(target.text_), surfaces_(target.surfaces_.surfaces), settings_(settings), functions_(cal::make_ray_library()) {}
+        : out_(target),
+          scene_(target.text_),
+          surfaces_(target.surfaces_.surfaces),
+          settings_(settings),
+          functions_(cal::make_ray_library()) {}
 
     void run(const std::vector<FunctionDefinition>& definitions) {
         for (const FunctionDefinition& definition : definitions) {
@@ -50,8 +54,8 @@ class SceneCompiler {
             }
     }
 
-    // Every modifier stands after those it refers to: walking backwards finds all that are used, walking forwards
-    // makes each when its parts are there.
+    // Every modifier stands after those it refers to: walking backwards finds all that are used, walking
+    // forwards makes each when its parts are there.
     void compile_modifiers() {
         Flags used(static_cast<std::size_t>(scene_.size()));
         const auto mark = [&](PrimitiveId id) {
@@ -66,7 +70,8 @@ class SceneCompiler {
         }
         made_.assign(static_cast<std::size_t>(scene_.size()), nullptr);
         for (PrimitiveId id = 0; id < scene_.size(); ++id)
-            if (used[static_cast<std::size_t>(id)] && scene_.type_info(id).is_modifier()) made_[static_cast<std::size_t>(id)] = compile(id);
+            if (used[static_cast<std::size_t>(id)] && scene_.type_info(id).is_modifier())
+                made_[static_cast<std::size_t>(id)] = compile(id);
     }
 
     const Modifier* made(PrimitiveId id) const {
@@ -88,7 +93,8 @@ class SceneCompiler {
         check_arguments(scene_, what);
         const ModifierRow* row = find_modifier_row(scene_.type(what));
         if (!row)
-            throw scene_.error(what, "type \"" + std::string(name(scene_.type(what))) + "\" is not supported yet",
+            throw scene_.error(what,
+                               "type \"" + std::string(name(scene_.type(what))) + "\" is not supported yet",
                                "the renderer knows its arguments but not its shading");
         ModifierContext context{scene_,     what,    next,  out_.channels_, settings_,
                                 functions_, tables_, made_, out_.warnings_};
@@ -102,7 +108,8 @@ class SceneCompiler {
     void check_patterns(PrimitiveId id, const Modifier* modifier) const {
         if (!modifier->traits() || modifier->traits()->is_mixture) return;
         if (const Modifier* other = Modifier::material_of(modifier->next()))
-            throw scene_.error(id, "conflicting material \"" + std::string(other->name()) + "\" as its modifier",
+            throw scene_.error(id,
+                               "conflicting material \"" + std::string(other->name()) + "\" as its modifier",
                                "a material is modified by patterns and textures only");
     }
 
@@ -117,7 +124,8 @@ class SceneCompiler {
             surface.finish = known->second;
             if (!is_new) continue;
             Finish finish{.primitive = modifier, .modifier = made(modifier)};
-            if (const Modifier* material = Modifier::material_of(finish.modifier)) finish.material = material->traits();
+            if (const Modifier* material = Modifier::material_of(finish.modifier))
+                finish.material = material->traits();
             if (settings_.ambient_filter.mode != NameFilter::Mode::none) {
                 const bool named = modifier != void_primitive && names.contains(scene_.name(modifier));
                 finish.in_ambient = named == (settings_.ambient_filter.mode == NameFilter::Mode::include);
@@ -129,7 +137,8 @@ class SceneCompiler {
     void add_shapes() {
         std::size_t triangles = 0;
         for (const Surface& surface : surfaces_)
-            triangles += scene_.type(surface.primitive) == PrimitiveType::polygon && scene_.reals(surface.primitive).size() == 9;
+            triangles += scene_.type(surface.primitive) == PrimitiveType::polygon &&
+                         scene_.reals(surface.primitive).size() == 9;
         out_.geometry_.reserve(surfaces_.size(), triangles);
         for (std::size_t i = 0; i < surfaces_.size(); ++i)
             if (scene_.type(surfaces_[i].primitive) != PrimitiveType::source)
@@ -170,7 +179,8 @@ class SceneCompiler {
         const ShapeRef shape = out_.geometry_.shape_of(source.surface);
         if (shape == Geometry::no_shape ||
             !out_.geometry_.intersect_one(shape, source.center + source.normal, -source.normal, state))
-            throw scene_.error(out_.surface(source.surface).primitive, "light source does not contain its own centre",
+            throw scene_.error(out_.surface(source.surface).primitive,
+                               "light source does not contain its own centre",
                                "divide it into convex polygons");
     }
 
@@ -183,8 +193,9 @@ class SceneCompiler {
     std::vector<const Modifier*> made_;
 };
 
-std::shared_ptr<const CompiledScene> CompiledScene::compile(Scene scene, const RenderSettings& settings, int channels,
-                                                            const std::vector<FunctionDefinition>& definitions) {
+std::shared_ptr<const CompiledScene> CompiledScene::compile(
+    Scene scene, const RenderSettings& settings, int channels,
+    const std::vector<FunctionDefinition>& definitions) {
     if (settings.max_reflections <= 0 && settings.min_weight <= 0)
         throw Error("-lr below 1 needs a -lw above 0", "Russian roulette ends rays lighter than -lw");
     const std::shared_ptr<CompiledScene> compiled(new CompiledScene);

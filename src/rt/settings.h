@@ -1,5 +1,5 @@
-// What the options of rpict and rtrace say about light transport. Field comments name RADIANCE's option; the two
-// programs start from different defaults (render_options.cpp).
+// What the options of rpict and rtrace say about light transport. Field comments name RADIANCE's option; the
+// two programs start from different defaults (render_options.cpp).
 #pragma once
 
 #include <string>
@@ -15,29 +15,29 @@ struct NameFilter {
 
 struct RenderSettings {
     // Direct light
-    double source_jitter = 0.0;         ///< -dj: share of a source's area over which samples are spread, 0..1
-    double source_size_ratio = 0.25;    ///< -ds: largest size/distance of a part of a source; 0 never divides
-    double shadow_threshold = 0.05;     ///< -dt: sources that could add less than this share are not tested
-    double shadow_certainty = 0.5;      ///< -dc
-    bool sources_visible = true;        ///< -dv
+    double source_jitter = 0.0;       ///< -dj: share of a source's area over which samples are spread, 0..1
+    double source_size_ratio = 0.25;  ///< -ds: largest size/distance of a part of a source; 0 never divides
+    double shadow_threshold = 0.05;   ///< -dt: sources that could add less than this share are not tested
+    double shadow_certainty = 0.5;    ///< -dc
+    bool sources_visible = true;      ///< -dv
 
     // Specular lobes
-    double specular_threshold = 0.15;   ///< -st: rough lobes of this share or less join the ambient term
-    double specular_samples = 1.0;      ///< -ss: below 1 less spread, above 1.5 that many rays
+    double specular_threshold = 0.15;  ///< -st: rough lobes of this share or less join the ambient term
+    double specular_samples = 1.0;     ///< -ss: below 1 less spread, above 1.5 that many rays
 
     // Diffuse interreflection
-    float ambient_value[3] = {0, 0, 0}; ///< -av: radiance assumed where the bounces end
-    int ambient_bounces = 0;            ///< -ab
-    int ambient_divisions = 512;        ///< -ad: rays of a hemisphere
-    int ambient_super_samples = 128;    ///< -as: extra rays where neighbours differ
-    NameFilter ambient_filter;          ///< -ai -ae
+    float ambient_value[3] = {0, 0, 0};  ///< -av: radiance assumed where the bounces end
+    int ambient_bounces = 0;             ///< -ab
+    int ambient_divisions = 512;         ///< -ad: rays of a hemisphere
+    int ambient_super_samples = 128;     ///< -as: extra rays where neighbours differ
+    NameFilter ambient_filter;           ///< -ai -ae
 
     // Limits
-    int max_reflections = 7;            ///< -lr: negative turns Russian roulette on below min_weight, 0: no limit
-    double min_weight = 1e-4;           ///< -lw
+    int max_reflections = 7;   ///< -lr: negative turns Russian roulette on below min_weight, 0: no limit
+    double min_weight = 1e-4;  ///< -lw
 
-    bool back_faces_visible = true;     ///< -bv
-    bool irradiance = false;            ///< -i: the first surface met is white Lambertian times pi
+    bool back_faces_visible = true;  ///< -bv
+    bool irradiance = false;         ///< -i: the first surface met is white Lambertian times pi
 };
 
 }  // namespace infra

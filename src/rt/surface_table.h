@@ -11,8 +11,8 @@ namespace infra {
 
 /// A modifier as surfaces wear it.
 struct Finish {
-    PrimitiveId primitive = void_primitive;    ///< the modifier; the later one wins where two surfaces coincide
-    const Modifier* modifier = nullptr;        ///< first of its chain, nullptr: void
+    PrimitiveId primitive = void_primitive;  ///< the modifier; the later one wins where two surfaces coincide
+    const Modifier* modifier = nullptr;      ///< first of its chain, nullptr: void
     const MaterialTraits* material = nullptr;  ///< nullptr: a surface that rays pass
     bool in_ambient = true;                    ///< takes part in the diffuse indirect calculation (-ai, -ae)
 
@@ -32,10 +32,12 @@ class SurfaceTable {
     std::vector<Finish> finishes;
 
     const Surface& operator[](int i) const { return surfaces[static_cast<std::size_t>(i)]; }
-    const Finish& finish(int surface) const { return finishes[static_cast<std::size_t>((*this)[surface].finish)]; }
+    const Finish& finish(int surface) const {
+        return finishes[static_cast<std::size_t>((*this)[surface].finish)];
+    }
 
-    /// True if surface a beats surface b, both met in the same place: material over none, opaque over transparent, front
-    /// over back, later modifier over earlier (measured behaviour of RADIANCE 6.1).
+    /// True if surface a beats surface b, both met in the same place: material over none, opaque over
+    /// transparent, front over back, later modifier over earlier (measured behaviour of RADIANCE 6.1).
     bool outranks(int a, bool a_front, int b, bool b_front) const {
         const Finish &fa = finish(a), &fb = finish(b);
         if ((fa.material != nullptr) != (fb.material != nullptr)) return fa.material != nullptr;

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double tiny = 1e-6;
 constexpr double distant = infinite_distance * 0.99;
-/// Rays in a row, of any kind, before a path is given up: a guard for the stack, far beyond what -lr and -lw leave.
+/// Rays in a row, of any kind, before a path is given up: a guard for the stack, far beyond what -lr and -lw
+/// leave.
 constexpr int deepest = 1000;
 
 }  // namespace
@@ -34,7 +35,8 @@ Ray Tracer::primary(const Vec3& origin, const Vec3& direction, double max_distan
     return ray;
 }
 
-// The path of a ray -----------------------------------------------------------------------------------------------------
+// The path of a ray
+// -----------------------------------------------------------------------------------------------------
 
 void Tracer::trace(Interaction& at) {
     if (intersect(at)) {
@@ -90,7 +92,8 @@ void Tracer::complete_hit(const HitState& state, Interaction& at) const {
 bool Tracer::meet_distant_source(Interaction& at) const {
     const Ray& ray = *at.ray;
     const auto covers = [&](const LightSource& source) {
-        constexpr double rim = 1e-6;  // sr: the rim belongs to the source, so that two half spaces leave no gap
+        constexpr double rim =
+            1e-6;  // sr: the rim belongs to the source, so that two half spaces leave no gap
         return 2 * std::numbers::pi * (1.0 - dot(source.center, ray.direction)) <= source.size + rim;
     };
     if (ray.aimed_source >= 0) {
@@ -99,7 +102,8 @@ bool Tracer::meet_distant_source(Interaction& at) const {
         at.surface = aimed.surface;
         return true;
     }
-    // Small bright sources win over wide glows; an illum that nothing stands behind is the last choice but one.
+    // Small bright sources win over wide glows; an illum that nothing stands behind is the last choice but
+    // one.
     int glow = -1;
     bool see_through = false;
     for (const int i : scene_.distant_sources()) {
@@ -125,8 +129,7 @@ void Tracer::shade(Interaction& at) {
 
 bool Tracer::shade_chain(const Modifier* chain, Interaction& at) {
     at.direct_distance = at.distance;
-    const bool irradiance_here =
-        settings_.irradiance && !(at.ray->lineage & ~(primary_ray | through_ray));
+    const bool irradiance_here = settings_.irradiance && !(at.ray->lineage & ~(primary_ray | through_ray));
     for (; chain; chain = chain->next()) {
         const MaterialTraits* material = irradiance_here ? chain->traits() : nullptr;
         if (material && !material->is_light && !material->is_mixture) {
@@ -160,11 +163,10 @@ void Tracer::pass_through(Interaction& at) {
     at.direct_distance = at.distance + beyond.direct_distance;
 }
 
-bool Tracer::is_flat(const Interaction& at) const {
-    return at.flat_shape != Geometry::no_shape;
-}
+bool Tracer::is_flat(const Interaction& at) const { return at.flat_shape != Geometry::no_shape; }
 
-// From what a material scatters to child rays -----------------------------------------------------------------------------
+// From what a material scatters to child rays
+// -----------------------------------------------------------------------------
 
 void Tracer::transport(const Scattering& scattering, Interaction& at) {
     if (scattering.has_through) trace_through(scattering, at);

@@ -1,10 +1,9 @@
 // Follows rays through a compiled scene: one Tracer per thread.
 //
 //     Tracer tracer(*scene, settings);
-//     tracer.start_stream(pixel);                        // the random numbers of this ray and all its descendants
-//     Ray ray = tracer.primary(origin, direction, 0);
-//     Interaction at(ray);
-//     tracer.trace(at);                                  // at.radiance, at.apparent_distance(), ...
+//     tracer.start_stream(pixel);                        // the random numbers of this ray and all its
+//     descendants Ray ray = tracer.primary(origin, direction, 0); Interaction at(ray); tracer.trace(at); //
+//     at.radiance, at.apparent_distance(), ...
 //
 // The path of a ray reads top to bottom in tracer.cpp: trace -> shade -> transport -> child rays.
 #pragma once
@@ -22,7 +21,8 @@ namespace infra {
 
 class Scattering;
 
-/// Sees every ray once its radiance is known (rtrace -ot and -oT). The parents of `at` are alive and can be followed.
+/// Sees every ray once its radiance is known (rtrace -ot and -oT). The parents of `at` are alive and can be
+/// followed.
 class RayObserver {
   public:
     virtual ~RayObserver() = default;
@@ -58,7 +58,8 @@ class Tracer {
     /// Radiances that were not finite, replaced by 0 when they were met.
     std::uint64_t bad_values() const { return bad_values_; }
 
-    // For modifiers ------------------------------------------------------------------------------------------------
+    // For modifiers
+    // ------------------------------------------------------------------------------------------------
 
     const CompiledScene& scene() const { return scene_; }
     const RenderSettings& settings() const { return settings_; }
@@ -101,7 +102,8 @@ class Tracer {
     // sources/direct.cpp
     void add_direct(const Scattering& scattering, Interaction& at);
     void consider_source(int source, const Scattering& scattering, const Interaction& at);
-    void add_sample(int source, const Scattering& scattering, const Interaction& at, const Vec3& offset, double share);
+    void add_sample(int source, const Scattering& scattering, const Interaction& at, const Vec3& offset,
+                    double share);
     bool source_value(Contribution& contribution, const Interaction& at);
     bool test_shadow(Contribution& contribution, const Interaction& at);
 

@@ -130,8 +130,8 @@ void Scene::release_geometry_arguments() {
 }
 
 std::size_t Scene::memory_bytes() const {
-    return records_.capacity() * sizeof(Record) + reals_.memory_bytes() + geometry_reals_.memory_bytes() + strings_.memory_bytes() +
-           text_.memory_bytes();
+    return records_.capacity() * sizeof(Record) + reals_.memory_bytes() + geometry_reals_.memory_bytes() +
+           strings_.memory_bytes() + text_.memory_bytes();
 }
 
 void check_arguments(const Scene& scene, PrimitiveId id) {

@@ -18,13 +18,20 @@ namespace {
 
 const char* kind_name(PrimitiveKind kind) {
     switch (kind) {
-        case PrimitiveKind::surface: return "surface";
-        case PrimitiveKind::volume: return "volume";
-        case PrimitiveKind::alias: return "alias";
-        case PrimitiveKind::material: return "material";
-        case PrimitiveKind::texture: return "texture";
-        case PrimitiveKind::pattern: return "pattern";
-        case PrimitiveKind::mixture: return "mixture";
+        case PrimitiveKind::surface:
+            return "surface";
+        case PrimitiveKind::volume:
+            return "volume";
+        case PrimitiveKind::alias:
+            return "alias";
+        case PrimitiveKind::material:
+            return "material";
+        case PrimitiveKind::texture:
+            return "texture";
+        case PrimitiveKind::pattern:
+            return "pattern";
+        case PrimitiveKind::mixture:
+            return "mixture";
     }
     return "";
 }
@@ -41,11 +48,12 @@ std::string arguments(const CountRule& rule, std::string_view meaning) {
 }
 
 std::string type_table() {
-    std::string text = "| type | kind | string arguments | real arguments | rendered |\n| --- | --- | --- | --- | --- |\n";
+    std::string text =
+        "| type | kind | string arguments | real arguments | rendered |\n| --- | --- | --- | --- | --- |\n";
     for (const PrimitiveInfo& row : primitive_types())
         text += "| `" + std::string(row.name) + "` | " + kind_name(row.kind) + " | " +
-                arguments(row.strings, row.string_meaning) + " | " + arguments(row.reals, row.real_meaning) + " | " +
-                (is_rendered(row) ? "yes" : "not yet") + " |\n";
+                arguments(row.strings, row.string_meaning) + " | " + arguments(row.reals, row.real_meaning) +
+                " | " + (is_rendered(row) ? "yes" : "not yet") + " |\n";
     return text;
 }
 
@@ -70,11 +78,15 @@ std::string reference_page() {
     RpictOptions rpict;
     RtraceOptions rtrace;
     return "# Reference: types and options\n\n"
-           "This page is generated from the tables that the programs read (`tests/docs/reference_test.cpp`).\n\n"
+           "This page is generated from the tables that the programs read "
+           "(`tests/docs/reference_test.cpp`).\n\n"
            "## Primitive types\n\n"
-           "Every type of RADIANCE 6.1, and `emissive` and `nrlbrdf`, which are ours. `oconv`, `xform` and `getinfo` know "
-           "them all; a type that is not rendered yet is refused by name when `rpict` or `rtrace` meets it.\n\n" +
-           type_table() + "\n## Options of rpict\n\nA refused option is one that RADIANCE has and we do not yet.\n\n" +
+           "Every type of RADIANCE 6.1, and `emissive` and `nrlbrdf`, which are ours. `oconv`, `xform` and "
+           "`getinfo` know "
+           "them all; a type that is not rendered yet is refused by name when `rpict` or `rtrace` meets "
+           "it.\n\n" +
+           type_table() +
+           "\n## Options of rpict\n\nA refused option is one that RADIANCE has and we do not yet.\n\n" +
            option_table(rpict_option_table(rpict)) + "\n## Options of rtrace\n\n" +
            option_table(rtrace_option_table(rtrace));
 }
@@ -84,11 +96,13 @@ TEST(Reference, PageAgreesWithTheTables) {
     if (std::getenv("INFRADIANCE_UPDATE_DOCS")) std::ofstream(path) << reference_page();
     std::stringstream page;
     page << std::ifstream(path).rdbuf();
-    EXPECT_EQ(page.str(), reference_page()) << "run INFRADIANCE_UPDATE_DOCS=1 docs_test to write the page anew";
+    EXPECT_EQ(page.str(), reference_page())
+        << "run INFRADIANCE_UPDATE_DOCS=1 docs_test to write the page anew";
 }
 
 TEST(Reference, EveryRenderedTypeIsAModifier) {
-    for (const ModifierRow& row : modifier_table()) EXPECT_TRUE(info(row.type).is_modifier()) << name(row.type);
+    for (const ModifierRow& row : modifier_table())
+        EXPECT_TRUE(info(row.type).is_modifier()) << name(row.type);
 }
 
 }  // namespace

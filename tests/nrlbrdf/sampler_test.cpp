@@ -126,7 +126,7 @@ TEST(Sampler, RefusesAlphaOutOfRange) {
         EXPECT_THROW(LobeSampler(distribution, alpha), Error);
 }
 
-// The helper itself must be able to fail.
+// The test itself must be able to fail.
 TEST(ChiSquare, RefusesAWrongDensity) {
     struct Sample {
         Vec3 wi;

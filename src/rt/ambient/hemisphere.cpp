@@ -1,7 +1,8 @@
-// Diffuse interreflection: a hemisphere of rays over every point, stratified in equal projected solid angles. (There is no
-// cache of such values yet: this is RADIANCE with -aa 0.)
+// Diffuse interreflection: a hemisphere of rays over every point, stratified in equal projected solid angles.
+// (There is no cache of such values yet: this is RADIANCE with -aa 0.)
 //
-// source: Shirley & Chiu, "A Low Distortion Map Between Disk and Square", JGT 2 (1997); numbers of rays as RADIANCE 6.1.
+// source: Shirley & Chiu, "A Low Distortion Map Between Disk and Square", JGT 2 (1997); numbers of rays as
+// RADIANCE 6.1.
 #include <cmath>
 #include <numbers>
 
@@ -17,8 +18,11 @@ constexpr int least_cells_for_extra = 49;  // fewer rays say too little of where
 /// sin and cos of an angle within pi/4 of 0, to 1e-11: their Taylor series.
 void small_sin_cos(double t, double& s, double& c) {
     const double q = t * t;
-    s = t * (1 + q * (-1.0 / 6 + q * (1.0 / 120 + q * (-1.0 / 5040 + q * (1.0 / 362880 - q * (1.0 / 39916800))))));
-    c = 1 + q * (-1.0 / 2 + q * (1.0 / 24 + q * (-1.0 / 720 + q * (1.0 / 40320 + q * (-1.0 / 3628800 + q * (1.0 / 479001600))))));
+    s = t * (1 + q * (-1.0 / 6 +
+                      q * (1.0 / 120 + q * (-1.0 / 5040 + q * (1.0 / 362880 - q * (1.0 / 39916800))))));
+    c = 1 + q * (-1.0 / 2 +
+                 q * (1.0 / 24 +
+                      q * (-1.0 / 720 + q * (1.0 / 40320 + q * (-1.0 / 3628800 + q * (1.0 / 479001600))))));
 }
 
 /// Direction of the hemisphere around z for a point of the unit square, with density cos / pi.
@@ -33,9 +37,12 @@ Vec3 cosine_direction(double x, double y) {
     return wide ? Vec3{radius * c, radius * s, height} : Vec3{radius * s, radius * c, height};
 }
 
-/// Where a cell's neighbours differ from it its value is uncertain: squared differences, relative to brightness.
+/// Where a cell's neighbours differ from it its value is uncertain: squared differences, relative to
+/// brightness.
 void estimate_variances(std::vector<HemisphereCell>& cells, int n, double norm) {
-    const auto cell = [&](int i, int j) -> HemisphereCell& { return cells[static_cast<std::size_t>(i * n + j)]; };
+    const auto cell = [&](int i, int j) -> HemisphereCell& {
+        return cells[static_cast<std::size_t>(i * n + j)];
+    };
     std::vector<int> neighbours(cells.size(), 0);
     const auto compare = [&](int i, int j, int k, int l) {
         HemisphereCell &a = cell(i, j), &b = cell(k, l);
@@ -61,22 +68,31 @@ void estimate_variances(std::vector<HemisphereCell>& cells, int n, double norm) 
 /// The rays of one hemisphere: where they go and what each brings.
 struct Tracer::Hemisphere {
     std::uint16_t kind;
-    Vec3 normal, u, v;   ///< frame around the normal with its textures
+    Vec3 normal, u, v;  ///< frame around the normal with its textures
     Vec3 surface_normal;
     bool tilted;
-    int divisions;       ///< along each side of the square
-    Spectrum share;      ///< coefficient of one ray
-    Ray ray;             ///< each of them but for its direction
-    bool steady;         ///< all rays are heavy enough to be traced, so that `ray` serves for all
+    int divisions;   ///< along each side of the square
+    Spectrum share;  ///< coefficient of one ray
+    Ray ray;         ///< each of them but for its direction
+    bool steady;     ///< all rays are heavy enough to be traced, so that `ray` serves for all
 };
 
 void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at) {
     if (coefficient.maximum() <= 0) return;
-    const bool computed = settings_.ambient_divisions > 0 && at.ray->ambient_level < settings_.ambient_bounces &&
+    const bool computed = settings_.ambient_divisions > 0 &&
+                          at.ray->ambient_level < settings_.ambient_bounces &&
                           (at.surface < 0 || scene_.finish(at.surface).in_ambient);
     if (computed) {
-        Hemisphere half{other_side ? through_ambient : reflected_ambient, normal, Vec3{0}, Vec3{0},
-                        other_side ? -at.normal : at.normal, at.textured(), 1, coefficient, Ray(at.channels()), false};
+        Hemisphere half{other_side ? through_ambient : reflected_ambient,
+                        normal,
+                        Vec3{0},
+                        Vec3{0},
+                        other_side ? -at.normal : at.normal,
+                        at.textured(),
+                        1,
+                        coefficient,
+                        Ray(at.channels()),
+                        false};
         make_frame(normal, half.u, half.v);
         Spectrum sum(at.channels());
         if (sample_hemisphere(half, at, sum)) {
@@ -111,7 +127,8 @@ bool Tracer::trace_ambient(Hemisphere& half, double x, double y, Interaction& at
     return true;
 }
 
-// Adds up coefficient times the mean radiance of the hemisphere. False if no ray was heavy enough to be traced.
+// Adds up coefficient times the mean radiance of the hemisphere. False if no ray was heavy enough to be
+// traced.
 bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum) {
     const double reflectance = half.share.maximum();
     if (reflectance <= tiny) return false;

@@ -1,8 +1,9 @@
 // A rough lobe of a material: what is sampled by rays of its own and evaluated for light sources.
 //
-// A lobe is built for one hit. wi points to where the radiance comes from and leaves the surface; directions are in scene
-// coordinates. The lobe's radiance is coefficient * E[weight * L(wi)] over its samples, so that `coefficient` is its
-// colour times its directional albedo, and the weights average to 1 (or less, where a model loses energy).
+// A lobe is built for one hit. wi points to where the radiance comes from and leaves the surface; directions
+// are in scene coordinates. The lobe's radiance is coefficient * E[weight * L(wi)] over its samples, so that
+// `coefficient` is its colour times its directional albedo, and the weights average to 1 (or less, where a
+// model loses energy).
 #pragma once
 
 #include <cstdint>
@@ -22,12 +23,14 @@ class Lobe {
   public:
     Lobe(std::uint16_t ray_kind, const Spectrum& c) : kind(ray_kind), coefficient(c) {}
 
-    std::uint16_t kind;    ///< reflected_lobe or through_lobe
+    std::uint16_t kind;  ///< reflected_lobe or through_lobe
     Spectrum coefficient;
-    bool redraws = false;  ///< samples of no weight are replaced until `count` are traced, and divided by all draws
+    bool redraws =
+        false;  ///< samples of no weight are replaced until `count` are traced, and divided by all draws
 
-    /// f |cos| [1/sr] over `coefficient`, for a light source of solid angle omega [sr] around wi; 0 on the wrong side.
-    /// Some models widen the lobe by the source's size, as RADIANCE does; omega = 0 gives the lobe itself.
+    /// f |cos| [1/sr] over `coefficient`, for a light source of solid angle omega [sr] around wi; 0 on the
+    /// wrong side. Some models widen the lobe by the source's size, as RADIANCE does; omega = 0 gives the
+    /// lobe itself.
     virtual double eval(const Vec3& wi, double omega) const = 0;
     /// One of `count` samples that together estimate the lobe.
     virtual LobeDraw sample(RandomStream& random, int count) const = 0;

@@ -11,9 +11,10 @@ namespace infra {
 
 class TableLobe final : public Lobe {
   public:
-    /// color: factor on the table; albedo: the lobe's directional-hemispherical reflectance for this viewer, > 0.
-    TableLobe(const Spectrum& color, double albedo, const LobeSampler& sampler, const Vec3& normal, const Vec3& to_viewer,
-              double samples)
+    /// color: factor on the table; albedo: the lobe's directional-hemispherical reflectance for this viewer,
+    /// > 0.
+    TableLobe(const Spectrum& color, double albedo, const LobeSampler& sampler, const Vec3& normal,
+              const Vec3& to_viewer, double samples)
         : Lobe(reflected_lobe, color * static_cast<float>(albedo)),
           sampler_(sampler),
           normal_(normal),

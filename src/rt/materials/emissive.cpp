@@ -5,12 +5,11 @@
 //     0
 //     3 | 4 Lr Lg Lb [maxrad]
 //
-// Radiance leaving is Le, the same in every direction and from both sides, plus what `material` reflects and transmits;
-// `material` is any earlier material or mixture, with patterns of its own, or void for a black emitter. Patterns on `mod`
-// scale Le. maxrad is that of glow: within it the front is sampled as a light source; with 0 (or without it) indirect rays
-// find the surface.
+// Radiance leaving is Le, the same in every direction and from both sides, plus what `material` reflects and
+// transmits; `material` is any earlier material or mixture, with patterns of its own, or void for a black
+// emitter. Patterns on `mod` scale Le. maxrad is that of glow: within it the front is sampled as a light
+// source; with 0 (or without it) indirect rays find the surface.
 #include "rt/materials/emissive_material.h"
-
 #include "rt/tracer.h"
 
 namespace infra {
@@ -28,8 +27,8 @@ MaterialTraits traits_of(std::string_view name, const Modifier* reflecting) {
 
 }  // namespace
 
-EmissiveMaterial::EmissiveMaterial(std::string_view name, const Modifier* next, const Spectrum& radiance, double reach,
-                                   const Modifier* reflecting)
+EmissiveMaterial::EmissiveMaterial(std::string_view name, const Modifier* next, const Spectrum& radiance,
+                                   double reach, const Modifier* reflecting)
     : Modifier(name, next),
       Emitter(Kind::glow, radiance),
       traits_(traits_of(name, reflecting)),
@@ -37,8 +36,8 @@ EmissiveMaterial::EmissiveMaterial(std::string_view name, const Modifier* next, 
     reach_ = reach;
 }
 
-EmissiveMaterial::EmissiveMaterial(std::string_view name, const Modifier* next, const Spectrum& radiance, double reach,
-                                   std::unique_ptr<Modifier> reflecting)
+EmissiveMaterial::EmissiveMaterial(std::string_view name, const Modifier* next, const Spectrum& radiance,
+                                   double reach, std::unique_ptr<Modifier> reflecting)
     : EmissiveMaterial(name, next, radiance, reach, reflecting.get()) {
     owned_ = std::move(reflecting);
 }
@@ -65,7 +64,8 @@ void EmissiveMaterial::add_emission(Tracer& tracer, Interaction& at) const {
 bool EmissiveMaterial::shade(Tracer& tracer, Interaction& at) const {
     const Ray& ray = *at.ray;
     if (ray.is(shadow_rays)) {
-        const bool aimed = ray.aimed_source >= 0 && tracer.scene().source(ray.aimed_source).surface == at.surface;
+        const bool aimed =
+            ray.aimed_source >= 0 && tracer.scene().source(ray.aimed_source).surface == at.surface;
         if (!aimed) return !reflecting_ || tracer.shade_chain(reflecting_, at);
         if (at.cosine >= 0) add_emission(tracer, at);
         return true;
@@ -90,7 +90,8 @@ std::unique_ptr<Modifier> make_emissive(ModifierContext& context) {
     const auto strings = context.strings();
     const Modifier* reflecting = strings.empty() ? nullptr : context.modifier_named(strings[0]);
     if (reflecting && !Modifier::material_of(reflecting))
-        throw context.error("\"" + std::string(strings[0]) + "\" is not a material", "name a material, or void");
+        throw context.error("\"" + std::string(strings[0]) + "\" is not a material",
+                            "name a material, or void");
     return std::make_unique<EmissiveMaterial>(context.name(), context.next, context.color(0),
                                               numbers.size() > 3 ? numbers[3] : 0.0, reflecting);
 }

@@ -5,9 +5,9 @@
 //     0
 //     3 | 4 red green blue [refractive_index]
 //
-// The colour is the transmissivity of one passage at normal incidence; the index is 1.52 unless given. Fresnel's formulas
-// for both polarisations, with all reflections inside the pane summed as a geometric series.
-// source: RADIANCE reference manual, "Materials"; Born & Wolf, Principles of Optics, 1.5 and 7.6.
+// The colour is the transmissivity of one passage at normal incidence; the index is 1.52 unless given.
+// Fresnel's formulas for both polarisations, with all reflections inside the pane summed as a geometric
+// series. source: RADIANCE reference manual, "Materials"; Born & Wolf, Principles of Optics, 1.5 and 7.6.
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +23,9 @@ constexpr float opaque_below = 1e-15f;
 /// A pane for one polarisation: reflectance of one face, transmissivity of one passage.
 struct Pane {
     double face, inside;
-    double transmittance() const { return (1 - face) * (1 - face) * inside / (1 - face * face * inside * inside); }
+    double transmittance() const {
+        return (1 - face) * (1 - face) * inside / (1 - face * face * inside * inside);
+    }
     double reflectance() const {
         return face + (1 - face) * (1 - face) * face * inside * inside / (1 - face * face * inside * inside);
     }

@@ -5,9 +5,10 @@
 //     mod spotlight id      0 0 7 red green blue angle xdir ydir zdir
 //     mod illum id          1 material (or 0) 0 3 red green blue
 //
-// Radiance is given in the scene's unit and seen from the front only. A glow lights what is nearer than maxrad; with 0 it
-// is never sampled but found by indirect rays, with a negative one it is only seen. An illum looks like another material
-// (or like nothing) unless it is aimed at as a source. source: RADIANCE reference manual, "Materials".
+// Radiance is given in the scene's unit and seen from the front only. A glow lights what is nearer than
+// maxrad; with 0 it is never sampled but found by indirect rays, with a negative one it is only seen. An
+// illum looks like another material (or like nothing) unless it is aimed at as a source. source: RADIANCE
+// reference manual, "Materials".
 #include <cmath>
 #include <numbers>
 
@@ -24,7 +25,8 @@ bool LightMaterial::reaches(double distance) const {
 bool LightMaterial::counts(const Tracer& tracer, const Interaction& at) const {
     const Ray& ray = *at.ray;
     // A source that is sampled directly must not be counted again by indirect rays that run into its front.
-    if (ray.is(ambient_rays | lobe_rays) && !ray.is(shadow_rays) && at.cosine >= 0 && reaches(at.distance)) return false;
+    if (ray.is(ambient_rays | lobe_rays) && !ray.is(shadow_rays) && at.cosine >= 0 && reaches(at.distance))
+        return false;
     if (ray.aimed_source < 0) return true;
     const LightSource& aimed = tracer.scene().source(ray.aimed_source);
     if (aimed.surface == at.surface) return true;
@@ -46,7 +48,8 @@ bool LightMaterial::shade(Tracer& tracer, Interaction& at) const {
         tracer.pass_through(at);
         return true;
     }
-    if (!tracer.settings().sources_visible && !ray.is(shadow_rays) && reaches(ray.path_before + at.distance)) {
+    if (!tracer.settings().sources_visible && !ray.is(shadow_rays) &&
+        reaches(ray.path_before + at.distance)) {
         at.discounted = true;
         return true;
     }

@@ -5,8 +5,8 @@
 //     0
 //     5 red green blue specularity roughness
 //
-// roughness is the RMS slope of the facets, 0 for a mirror. A smooth plastic of some specularity reflects more towards
-// grazing. source: RADIANCE reference manual, "Materials"; doc/materials.
+// roughness is the RMS slope of the facets, 0 for a mirror. A smooth plastic of some specularity reflects
+// more towards grazing. source: RADIANCE reference manual, "Materials"; doc/materials.
 #include "rt/materials/ward_material.h"
 #include "rt/modifier_table.h"
 

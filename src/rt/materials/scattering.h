@@ -1,4 +1,5 @@
-// What a material does to light at one hit: the answer of SurfaceMaterial::scatter, which the tracer turns into rays.
+// What a material does to light at one hit: the answer of SurfaceMaterial::scatter, which the tracer turns
+// into rays.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +29,7 @@ class Scattering {
     Scattering(const Scattering&) = delete;
     Scattering& operator=(const Scattering&) = delete;
 
-    Vec3 normal;                       ///< with its textures, facing the viewer
+    Vec3 normal;  ///< with its textures, facing the viewer
 
     // Perfect specular rays
     bool has_mirror = false;
@@ -37,13 +38,13 @@ class Scattering {
     Vec3 mirror_direction{0};
     Spectrum through_coefficient;
     Vec3 through_direction{0};
-    bool as_clear_as_air = false;      ///< what lies behind is all that is seen, mirror images included
-    bool seen_through = false;         ///< the apparent distance is that of what lies behind
+    bool as_clear_as_air = false;  ///< what lies behind is all that is seen, mirror images included
+    bool seen_through = false;     ///< the apparent distance is that of what lies behind
 
     // Lambertian parts, as reflectance
     Spectrum diffuse;
     Spectrum diffuse_through;
-    bool fresnel_coupled = false;      ///< the diffuse part loses what the smooth surface reflects
+    bool fresnel_coupled = false;  ///< the diffuse part loses what the smooth surface reflects
     // The same for the indirect calculation: with the lobes that are too weak to be sampled
     Spectrum ambient;
     Spectrum ambient_through;
@@ -55,7 +56,7 @@ class Scattering {
 
     /// True when nothing but mirror and through rays is left.
     bool pure_specular = false;
-    bool image_behind = false;         ///< a mirror image is seen at its own distance, not at the surface's
+    bool image_behind = false;  ///< a mirror image is seen at its own distance, not at the surface's
 
     template <class L, class... Args>
     void add_lobe(bool sampled, Args&&... args) {
@@ -65,8 +66,8 @@ class Scattering {
         ++lobe_count;
     }
 
-    /// Reflected radiance per incident radiance and solid angle, f |cos| [1/sr], for a source of size omega [sr] around
-    /// wi: Lambertian parts and lobes, not the mirror.
+    /// Reflected radiance per incident radiance and solid angle, f |cos| [1/sr], for a source of size omega
+    /// [sr] around wi: Lambertian parts and lobes, not the mirror.
     void eval(const Vec3& wi, double omega, Spectrum& result) const;
 
   private:

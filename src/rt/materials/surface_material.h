@@ -13,11 +13,10 @@ class SurfaceMaterial : public Modifier {
     SurfaceMaterial(std::string_view name, const Modifier* next, bool transparent)
         : Modifier(name, next), traits_{name, transparent, !transparent, false} {}
 
-    /// Fills `out` for the hit `at`: its normal faces the viewer, its patterns and textures have been applied and
-    /// out.normal is the normal with textures.
-    /// shadow: only what a shadow ray passes through is wanted.
-    virtual void scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings, bool shadow,
-                         Scattering& out) const = 0;
+    /// Fills `out` for the hit `at`: its normal faces the viewer, its patterns and textures have been applied
+    /// and out.normal is the normal with textures. shadow: only what a shadow ray passes through is wanted.
+    virtual void scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings,
+                         bool shadow, Scattering& out) const = 0;
 
     bool shade(Tracer& tracer, Interaction& at) const final;
     const MaterialTraits* traits() const final { return &traits_; }

@@ -5,8 +5,8 @@
 //     0
 //     7 red green blue specularity roughness transmissivity transmitted_specular
 //
-// transmissivity is the fraction that goes through of what is not reflected specularly, transmitted_specular the fraction
-// of that which is not diffused. source: RADIANCE reference manual, "Materials"; doc/materials.
+// transmissivity is the fraction that goes through of what is not reflected specularly, transmitted_specular
+// the fraction of that which is not diffused. source: RADIANCE reference manual, "Materials"; doc/materials.
 #include "rt/materials/ward_material.h"
 #include "rt/modifier_table.h"
 

@@ -8,7 +8,8 @@ namespace infra {
 namespace {
 
 constexpr double tiny = 1e-6;
-constexpr double fresnel_threshold = 0.017999;  // smooth surfaces of less specularity show no Fresnel reflection
+constexpr double fresnel_threshold =
+    0.017999;  // smooth surfaces of less specularity show no Fresnel reflection
 
 /// Straight on, but for a texture, which makes the sheet wavy for rays from the eye.
 Vec3 bent_direction(const Interaction& at, bool shadow) {
@@ -20,8 +21,8 @@ Vec3 bent_direction(const Interaction& at, bool shadow) {
 
 }  // namespace
 
-void WardMaterial::scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings, bool shadow,
-                           Scattering& out) const {
+void WardMaterial::scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings,
+                           bool shadow, Scattering& out) const {
     const bool textured = at.textured();
     const double cosine = std::max(-dot(out.normal, at.ray->direction), 0.001);
     const bool smooth = p_.roughness * p_.roughness <= tiny;
@@ -52,14 +53,16 @@ void WardMaterial::scatter(const Interaction& at, bool flat_surface, const Rende
     const bool reflection_sampled = smooth || settings.specular_threshold < reflected - tiny;
     Spectrum specular_color(color.channels(), static_cast<float>(reflected));
     if (p_.metallic) {
-        specular_color = color * static_cast<float>(has_fresnel ? p_.specularity * (1.0 - fresnel) : reflected);
+        specular_color =
+            color * static_cast<float>(has_fresnel ? p_.specularity * (1.0 - fresnel) : reflected);
         if (has_fresnel) specular_color += Spectrum(color.channels(), static_cast<float>(fresnel));
     }
     if (reflects && smooth) {
         out.has_mirror = true;
         out.mirror_coefficient = specular_color;
         out.mirror_direction = at.ray->direction + out.normal * (2.0 * cosine);
-        if (textured && dot(out.mirror_direction, at.normal) <= tiny)  // a strong texture must not mirror inwards
+        if (textured &&
+            dot(out.mirror_direction, at.normal) <= tiny)  // a strong texture must not mirror inwards
             out.mirror_direction = at.ray->direction + at.normal * (2.0 * at.cosine);
         out.image_behind = flat_surface && !textured && at.ray->is(ambient_rays);
     }

@@ -1,4 +1,5 @@
-// What plastic, metal and trans have in common: a Lambertian part, a mirror or Gaussian reflection, a transmission.
+// What plastic, metal and trans have in common: a Lambertian part, a mirror or Gaussian reflection, a
+// transmission.
 #pragma once
 
 #include "rt/materials/surface_material.h"
@@ -7,16 +8,17 @@ namespace infra {
 
 struct WardParameters {
     Spectrum color;
-    double specularity = 0;        ///< reflected specular fraction at normal incidence
-    double roughness = 0;          ///< RMS facet slope; 0: a mirror
-    double transmissivity = 0;     ///< fraction of what is not reflected specularly that goes through
+    double specularity = 0;           ///< reflected specular fraction at normal incidence
+    double roughness = 0;             ///< RMS facet slope; 0: a mirror
+    double transmissivity = 0;        ///< fraction of what is not reflected specularly that goes through
     double transmitted_specular = 0;  ///< fraction of that which goes straight through
-    bool metallic = false;         ///< the reflection takes the material's colour
+    bool metallic = false;            ///< the reflection takes the material's colour
 };
 
 class WardMaterial final : public SurfaceMaterial {
   public:
-    WardMaterial(std::string_view name, const Modifier* next, const WardParameters& parameters, bool transparent)
+    WardMaterial(std::string_view name, const Modifier* next, const WardParameters& parameters,
+                 bool transparent)
         : SurfaceMaterial(name, next, transparent), p_(parameters) {}
 
     void scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings, bool shadow,

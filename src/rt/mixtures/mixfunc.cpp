@@ -25,7 +25,8 @@ class MixFunc final : public Modifier {
           share_(context, 2, 1, 3),
           mixes_materials_(material_of(foreground_) || material_of(background_)) {
         if (context.next && mixes_materials_)
-            throw context.error("inappropriate modifier on a mixture of materials", "modify the materials instead");
+            throw context.error("inappropriate modifier on a mixture of materials",
+                                "modify the materials instead");
     }
 
     bool shade(Tracer& tracer, Interaction& at) const override {
@@ -46,6 +47,8 @@ class MixFunc final : public Modifier {
 
 }  // namespace
 
-std::unique_ptr<Modifier> make_mixfunc(ModifierContext& context) { return std::make_unique<MixFunc>(context); }
+std::unique_ptr<Modifier> make_mixfunc(ModifierContext& context) {
+    return std::make_unique<MixFunc>(context);
+}
 
 }  // namespace infra

@@ -5,8 +5,8 @@
 
 namespace infra {
 
-/// Shades both chains and mixes their patterns and radiances; share (0..1) is the foreground's. Where only one of them
-/// has a material the other lets the ray pass. Answers whether there was a material.
+/// Shades both chains and mixes their patterns and radiances; share (0..1) is the foreground's. Where only
+/// one of them has a material the other lets the ray pass. Answers whether there was a material.
 bool shade_mixture(Tracer& tracer, Interaction& at, const Modifier* foreground, const Modifier* background,
                    double share);
 

@@ -14,7 +14,8 @@ namespace {
 
 class BrightFunc final : public Modifier {
   public:
-    explicit BrightFunc(ModifierContext& context) : Modifier(context.name(), context.next), value_(context, 0, 1, 1) {}
+    explicit BrightFunc(ModifierContext& context)
+        : Modifier(context.name(), context.next), value_(context, 0, 1, 1) {}
 
     bool shade(Tracer& tracer, Interaction& at) const override {
         double factor;
@@ -28,6 +29,8 @@ class BrightFunc final : public Modifier {
 
 }  // namespace
 
-std::unique_ptr<Modifier> make_brightfunc(ModifierContext& context) { return std::make_unique<BrightFunc>(context); }
+std::unique_ptr<Modifier> make_brightfunc(ModifierContext& context) {
+    return std::make_unique<BrightFunc>(context);
+}
 
 }  // namespace infra

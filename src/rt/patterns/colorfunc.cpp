@@ -14,7 +14,8 @@ namespace {
 
 class ColorFunc final : public Modifier {
   public:
-    explicit ColorFunc(ModifierContext& context) : Modifier(context.name(), context.next), color_(context, 0, 3, 3) {}
+    explicit ColorFunc(ModifierContext& context)
+        : Modifier(context.name(), context.next), color_(context, 0, 3, 3) {}
 
     bool shade(Tracer& tracer, Interaction& at) const override {
         double rgb[3];
@@ -31,6 +32,8 @@ class ColorFunc final : public Modifier {
 
 }  // namespace
 
-std::unique_ptr<Modifier> make_colorfunc(ModifierContext& context) { return std::make_unique<ColorFunc>(context); }
+std::unique_ptr<Modifier> make_colorfunc(ModifierContext& context) {
+    return std::make_unique<ColorFunc>(context);
+}
 
 }  // namespace infra

@@ -22,11 +22,10 @@ class RayInput {
 
     /// Reads the next ray. False at the end of input, and where something is no ray.
     bool next(RayRequest& ray);
-    /// What was wrong if the input ended badly: "no number: 'x'"; otherwise "".
+    /// What was wrong if the input ended badly: "'x' is no number"; otherwise "".
     const std::string& fault() const { return fault_; }
 
   private:
-    bool read(double* values);
     bool read_text(double* values);
     template <class Number>
     bool read_raw(double* values);

@@ -5,15 +5,15 @@
 
 namespace infra {
 
-/// cone, cylinder (normals outward), cup, tube (inward): the side between two parallel disks of one axis, without ends.
-/// source: with z the distance along the axis from p0, the radius is r0 + slope z; the side is where the squared
-/// distance from the axis equals the squared radius.
+/// cone, cylinder (normals outward), cup, tube (inward): the side between two parallel disks of one axis,
+/// without ends. source: with z the distance along the axis from p0, the radius is r0 + slope z; the side is
+/// where the squared distance from the axis equals the squared radius.
 struct Cone {
-    Vec3 p0;        ///< centre of the disk at z = 0
-    Vec3 axis;      ///< unit vector towards the other disk
+    Vec3 p0;    ///< centre of the disk at z = 0
+    Vec3 axis;  ///< unit vector towards the other disk
     double length;
     double r0;
-    double slope;   ///< (r1 - r0) / length; 0 for a cylinder
+    double slope;  ///< (r1 - r0) / length; 0 for a cylinder
     int surface;
     bool inward;
 

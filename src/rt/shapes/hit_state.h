@@ -12,7 +12,7 @@ struct HitState {
     double distance = infinite_distance;  ///< also the limit: nothing farther is of interest
     std::uint32_t shape = 0;
     int surface = -1;
-    bool front = false;                   ///< the surface was met from its front
+    bool front = false;  ///< the surface was met from its front
 };
 
 /// Takes the hit at distance t into `state` if it is the best so far.

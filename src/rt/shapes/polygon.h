@@ -1,5 +1,5 @@
-// Flat polygons: triangles in a form of their own, because meshes are made of them; all others by a crossing test in the
-// plane of two axes, which copes with concave outlines and with holes cut by seams.
+// Flat polygons: triangles in a form of their own, because meshes are made of them; all others by a crossing
+// test in the plane of two axes, which copes with concave outlines and with holes cut by seams.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@ namespace infra {
 
 /// Plane of a polygon.
 struct PolygonPlane {
-    Vec3 normal{0};      ///< unit; counter-clockwise vertices face the viewer
-    double offset = 0;   ///< of the plane along the normal, the mean over all vertices
-    double area = 0;     ///< 0: a polygon that no ray can meet
+    Vec3 normal{0};     ///< unit; counter-clockwise vertices face the viewer
+    double offset = 0;  ///< of the plane along the normal, the mean over all vertices
+    double area = 0;    ///< 0: a polygon that no ray can meet
 };
 
 /// Averages a polygon that is not quite flat. vertices: three numbers each, the last may repeat the first.
@@ -27,7 +27,7 @@ struct Triangle {
     double c_u, c_v, c_d;              ///< third
     int surface;
     std::uint8_t axis;
-    bool reversed;                     ///< the normal points against the axis
+    bool reversed;  ///< the normal points against the axis
 
     /// The corners must not lie on a line.
     Triangle(const Vec3& a, const Vec3& b, const Vec3& c, int surface_index);
@@ -75,7 +75,8 @@ struct Polygon {
     bool contains(double x, double y) const {
         bool inside = false;
         const double* previous = corners + 2 * (corner_count - 1);
-        for (const double* corner = corners; corner != corners + 2 * corner_count; previous = corner, corner += 2) {
+        for (const double* corner = corners; corner != corners + 2 * corner_count;
+             previous = corner, corner += 2) {
             const double dx = previous[0] - corner[0], dy = previous[1] - corner[1];
             const double px = x - corner[0], py = y - corner[1];
             const double side = dx * py - dy * px;

@@ -4,7 +4,8 @@
 
 namespace infra {
 
-/// Real roots of a t^2 + 2 half_b t + c in ascending order; returns their number, a double root counting once.
+/// Real roots of a t^2 + 2 half_b t + c in ascending order; returns their number, a double root counting
+/// once.
 inline int solve_quadratic(double a, double half_b, double c, double roots[2]) {
     constexpr double tiny = 1e-6;
     if (std::fabs(a) <= tiny * tiny) {

@@ -19,7 +19,8 @@ struct Sphere {
         const int count =
             solve_quadratic(1.0, dot(direction, offset), dot(offset, offset) - radius * radius, roots);
         for (int i = 0; i < count; ++i)
-            if (roots[i] > same_place) return offer_hit(state, table, roots[i], (i == 0) != inward, surface, shape);
+            if (roots[i] > same_place)
+                return offer_hit(state, table, roots[i], (i == 0) != inward, surface, shape);
     }
     Vec3 normal(const Vec3& point) const { return (point - center) * ((inward ? -1.0 : 1.0) / radius); }
 };

@@ -1,9 +1,10 @@
-// Direct light: every sampled source is divided into parts, each part aimed at once; the brightest are tested for shadow,
-// the rest estimated.
+// Direct light: every sampled source is divided into parts, each part aimed at once; the brightest are tested
+// for shadow, the rest estimated.
 //
-// source: Ward, "Adaptive Shadow Testing for Ray Tracing" (1991), for -dt and -dc; part sizes and sample places as measured
-// from RADIANCE 6.1. The visibility of untested sources is estimated from a few of them at the same point, not from
-// statistics over past rays, so that a picture does not depend on the order of its pixels.
+// source: Ward, "Adaptive Shadow Testing for Ray Tracing" (1991), for -dt and -dc; part sizes and sample
+// places as measured from RADIANCE 6.1. The visibility of untested sources is estimated from a few of them at
+// the same point, not from statistics over past rays, so that a picture does not depend on the order of its
+// pixels.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -54,7 +55,8 @@ void divide(const LightSource& source, const Vec3& from, const Part& part, const
 }
 
 // Parts of a source seen from a point: none from behind.
-void divide_source(const LightSource& source, const Vec3& from, double weight, double size_ratio, Parts& parts) {
+void divide_source(const LightSource& source, const Vec3& from, double weight, double size_ratio,
+                   Parts& parts) {
     const Part whole{{0, 0}, {1, 1}};
     const double reach = size_ratio > tiny ? 2.0 * weight / size_ratio : 0.0;
     const double limit[2] = {reach * reach * dot(source.half_axis[0], source.half_axis[0]),
@@ -77,7 +79,8 @@ void divide_source(const LightSource& source, const Vec3& from, double weight, d
             const double lengthwise[2] = {limit[0], 0};
             return divide(source, from, whole, lengthwise, most_parts, parts);
         }
-        default: break;
+        default:
+            break;
     }
     parts.part[parts.count++] = whole;
 }
@@ -94,9 +97,9 @@ void round_off_ball(double offset[3]) {
     for (int i = 0; i < 3; ++i) offset[i] *= trim;
 }
 
-// Brings samples of a disk from the square of the same area into its outline. Places that are spread at random are
-// mapped without change of area, so that their mean is exact (Shirley & Chiu, "A Low Distortion Map Between Disk and
-// Square", JGT 2, 1997); fixed ones lie where RADIANCE has them.
+// Brings samples of a disk from the square of the same area into its outline. Places that are spread at
+// random are mapped without change of area, so that their mean is exact (Shirley & Chiu, "A Low Distortion
+// Map Between Disk and Square", JGT 2, 1997); fixed ones lie where RADIANCE has them.
 void round_off_disk(double offset[3], bool spread) {
     constexpr double widen = 1.1283791670955126;  // radius over half the side of the square: 2 / sqrt(pi)
     const double u = offset[0], v = offset[1];
@@ -185,8 +188,8 @@ void Tracer::consider_source(int number, const Scattering& scattering, const Int
                 round_off_disk(offset, jitter > tiny);
             }
         }
-        const Vec3 target = source.center + source.half_axis[0] * offset[0] + source.half_axis[1] * offset[1] +
-                            source.half_axis[2] * offset[2];
+        const Vec3 target = source.center + source.half_axis[0] * offset[0] +
+                            source.half_axis[1] * offset[1] + source.half_axis[2] * offset[2];
         add_sample(number, scattering, at, target, part.half[0] * part.half[1]);
     }
 }
@@ -223,7 +226,8 @@ void Tracer::add_sample(int number, const Scattering& scattering, const Interact
             omega *= distance * distance / (from_focus * from_focus);
         }
     }
-    Contribution contribution{number, direction, infinite_distance, Spectrum(at.channels()), Spectrum(at.channels()), 0};
+    Contribution contribution{
+        number, direction, infinite_distance, Spectrum(at.channels()), Spectrum(at.channels()), 0};
     scattering.eval(direction, omega, contribution.coefficient);
     contribution.coefficient *= static_cast<float>(omega);
     if (contribution.coefficient.maximum() <= 0 || !source_value(contribution, at)) return;
@@ -242,7 +246,8 @@ bool Tracer::source_value(Contribution& contribution, const Interaction& at) {
         if (!meet_distant_source(seen)) return false;
     } else {
         HitState state;
-        if (!scene_.geometry().intersect_one(scene_.geometry().shape_of(source.surface), ray.origin, ray.direction, state))
+        if (!scene_.geometry().intersect_one(scene_.geometry().shape_of(source.surface), ray.origin,
+                                             ray.direction, state))
             return false;
         complete_hit(state, seen);
         contribution.distance = state.distance;
@@ -263,7 +268,8 @@ bool Tracer::test_shadow(Contribution& contribution, const Interaction& at) {
     ray.aimed_source = contribution.source;
     ray.coefficient = contribution.coefficient;
     if (!observer_) {
-        const Geometry::View view = scene_.geometry().view(ray.origin, ray.direction, contribution.distance, ray.leaving);
+        const Geometry::View view =
+            scene_.geometry().view(ray.origin, ray.direction, contribution.distance, ray.leaving);
         if (view != Geometry::View::filtered) {
             ++ray_count_;
             return view == Geometry::View::clear;
@@ -279,7 +285,8 @@ bool Tracer::test_shadow(Contribution& contribution, const Interaction& at) {
         contribution.value = met.radiance * contribution.coefficient;
         return true;
     }
-    if (!hit && observe_shadows_ && source.extent == LightSource::Extent::distant && meet_distant_source(met)) {
+    if (!hit && observe_shadows_ && source.extent == LightSource::Extent::distant &&
+        meet_distant_source(met)) {
         shade_chain(source.modifier, met);
         observer_->observe(met);
     }

@@ -1,5 +1,5 @@
-// A surface that is sampled directly because it gives light: light, illum, spotlight, and glow or emissive within their
-// radius; or a distant source.
+// A surface that is sampled directly because it gives light: light, illum, spotlight, and glow or emissive
+// within their radius; or a distant source.
 #pragma once
 
 #include "common/vec.h"
@@ -8,7 +8,7 @@
 namespace infra {
 
 struct SpotBeam {
-    Vec3 axis{0};          ///< unit
+    Vec3 axis{0};  ///< unit
     double solid_angle = 0;
     double focal_length = 0;
     /// Whether light that leaves towards -direction misses the beam.
@@ -20,26 +20,26 @@ struct LightSource {
         flat,      ///< polygon or ring: area elements along two axes
         cylinder,  ///< elements along the axis
         sphere,
-        distant,   ///< a disk at infinity
+        distant,  ///< a disk at infinity
     };
 
     int surface = -1;
     Extent extent = Extent::flat;
-    bool round = false;           ///< its samples are kept within a circle or ball
-    bool skip = false;            ///< never sampled, only met by chance
-    bool is_glow = false;         ///< gives light only nearer than `reach`
+    bool round = false;    ///< its samples are kept within a circle or ball
+    bool skip = false;     ///< never sampled, only met by chance
+    bool is_glow = false;  ///< gives light only nearer than `reach`
     double reach = 0;
     bool is_spot = false;
     SpotBeam beam;
 
-    Vec3 center{0};               ///< distant: unit direction towards it
+    Vec3 center{0};  ///< distant: unit direction towards it
     Vec3 normal{0};
-    double radius = 0;            ///< of the surrounding sphere
-    double size = 0;              ///< area, cylinder: the greatest projected area; distant: solid angle [sr]
+    double radius = 0;  ///< of the surrounding sphere
+    double size = 0;    ///< area, cylinder: the greatest projected area; distant: solid angle [sr]
     Vec3 half_axis[3] = {Vec3{0}, Vec3{0}, Vec3{0}};
     const Modifier* modifier = nullptr;  ///< of the surface: what gives the radiance
-    bool passes_unseen = false;   ///< an illum without another material, seen through when not aimed at
-    bool is_weak = false;         ///< illum or glow: an illum in the way blocks it
+    bool passes_unseen = false;  ///< an illum without another material, seen through when not aimed at
+    bool is_weak = false;        ///< illum or glow: an illum in the way blocks it
 };
 
 }  // namespace infra

@@ -27,7 +27,8 @@ double distance_to_line(const Vec3& p, const Vec3& a, const Vec3& b) {
     return length(cross(p - a, b - a)) / length(b - a);
 }
 
-void set_polygon(const Scene& scene, PrimitiveId id, LightSource& source, std::vector<std::string>& warnings) {
+void set_polygon(const Scene& scene, PrimitiveId id, LightSource& source,
+                 std::vector<std::string>& warnings) {
     auto numbers = scene.reals(id);
     std::size_t count = numbers.size() / 3;
     if (count > 3 && length(vec(numbers, 0) - vec(numbers, 3 * (count - 1))) <= same_place) --count;
@@ -66,13 +67,15 @@ void set_polygon(const Scene& scene, PrimitiveId id, LightSource& source, std::v
     }
 }
 
-void set_cylinder(const Scene& scene, PrimitiveId id, LightSource& source, std::vector<std::string>& warnings) {
+void set_cylinder(const Scene& scene, PrimitiveId id, LightSource& source,
+                  std::vector<std::string>& warnings) {
     const auto numbers = scene.reals(id);
     const Vec3 p0 = vec(numbers, 0), p1 = vec(numbers, 3);
     const double size = length(p1 - p0), radius = std::fabs(numbers[6]);
     if (!(size > 0) || radius <= same_place) throw scene.error(id, "light source has no area");
     if (radius > 0.2 * size)
-        warnings.push_back(scene.error(id, "light source is too thick for a cylinder", "its ends give no light").what());
+        warnings.push_back(
+            scene.error(id, "light source is too thick for a cylinder", "its ends give no light").what());
     const Vec3 axis = (p1 - p0) / size;
     source.extent = LightSource::Extent::cylinder;
     source.center = (p0 + p1) * 0.5;
@@ -102,7 +105,8 @@ void set_ring(const Scene& scene, PrimitiveId id, LightSource& source) {
     const auto numbers = scene.reals(id);
     const double inner = std::min(numbers[6], numbers[7]), outer = std::max(numbers[6], numbers[7]);
     const Vec3 axis = vec(numbers, 3);
-    if (inner > 0) throw scene.error(id, "light source cannot be a ring with a hole", "its centre gives no light");
+    if (inner > 0)
+        throw scene.error(id, "light source cannot be a ring with a hole", "its centre gives no light");
     if (outer <= same_place || !(length(axis) > 0)) throw scene.error(id, "light source has no area");
     source.extent = LightSource::Extent::flat;
     source.round = true;
@@ -142,11 +146,21 @@ LightSource make_light_source(const Scene& scene, PrimitiveId id, const Emitter&
                               std::vector<std::string>& warnings) {
     LightSource source;
     switch (scene.type(id)) {
-        case PrimitiveType::polygon: set_polygon(scene, id, source, warnings); break;
-        case PrimitiveType::cylinder: set_cylinder(scene, id, source, warnings); break;
-        case PrimitiveType::sphere: set_sphere(scene, id, source); break;
-        case PrimitiveType::ring: set_ring(scene, id, source); break;
-        case PrimitiveType::source: set_distant(scene, id, source); break;
+        case PrimitiveType::polygon:
+            set_polygon(scene, id, source, warnings);
+            break;
+        case PrimitiveType::cylinder:
+            set_cylinder(scene, id, source, warnings);
+            break;
+        case PrimitiveType::sphere:
+            set_sphere(scene, id, source);
+            break;
+        case PrimitiveType::ring:
+            set_ring(scene, id, source);
+            break;
+        case PrimitiveType::source:
+            set_distant(scene, id, source);
+            break;
         default:
             throw scene.error(id, "a " + std::string(name(scene.type(id))) + " cannot be a light source",
                               "use polygon, ring, sphere, cylinder or source; or a glow with maxrad 0");
@@ -163,7 +177,8 @@ LightSource make_light_source(const Scene& scene, PrimitiveId id, const Emitter&
         source.beam = emitter.beam();
         if (distant) warnings.push_back(scene.error(id, "distant source is a spotlight").what());
         if (source.extent == LightSource::Extent::flat && !beam_leaves_front(source.beam, source.normal)) {
-            warnings.push_back(scene.error(id, "spotlight shines backward", "the source gives no light").what());
+            warnings.push_back(
+                scene.error(id, "spotlight shines backward", "the source gives no light").what());
             source.skip = true;
         }
     }

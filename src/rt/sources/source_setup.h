@@ -8,7 +8,8 @@
 namespace infra {
 
 /// Geometry and emission of a source.
-///   throws  Error for a surface that cannot be one: a cone, a ring with a hole, no area, a polygon around its centre
+///   throws  Error for a surface that cannot be one: a cone, a ring with a hole, no area, a polygon around
+///   its centre
 LightSource make_light_source(const Scene& scene, PrimitiveId surface, const Emitter& emitter,
                               std::vector<std::string>& warnings);
 

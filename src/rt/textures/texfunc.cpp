@@ -14,7 +14,8 @@ namespace {
 
 class TexFunc final : public Modifier {
   public:
-    explicit TexFunc(ModifierContext& context) : Modifier(context.name(), context.next), bend_(context, 0, 3, 3) {}
+    explicit TexFunc(ModifierContext& context)
+        : Modifier(context.name(), context.next), bend_(context, 0, 3, 3) {}
 
     bool shade(Tracer& tracer, Interaction& at) const override {
         double d[3];
@@ -28,6 +29,8 @@ class TexFunc final : public Modifier {
 
 }  // namespace
 
-std::unique_ptr<Modifier> make_texfunc(ModifierContext& context) { return std::make_unique<TexFunc>(context); }
+std::unique_ptr<Modifier> make_texfunc(ModifierContext& context) {
+    return std::make_unique<TexFunc>(context);
+}
 
 }  // namespace infra
