@@ -186,7 +186,7 @@ struct Bvh::Builder {
     }
 };
 
-Bvh::Item::Item(const Box& box, std::uint32_t id) {
+Bvh::Item::Item(const Bounds& box, std::uint32_t id) {
     for (int axis = 0; axis < 3; ++axis) {
         lo[axis] = std::nextafter(static_cast<float>(box.lo[axis]), -inf);
         hi[axis] = std::nextafter(static_cast<float>(box.hi[axis]), inf);

@@ -18,7 +18,7 @@
 
 namespace infra {
 
-struct Box {
+struct Bounds {
     Vec3 lo{std::numeric_limits<double>::infinity()};
     Vec3 hi{-std::numeric_limits<double>::infinity()};
 
@@ -26,7 +26,7 @@ struct Box {
         lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
         hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
     }
-    void extend(const Box& b) {
+    void extend(const Bounds& b) {
         extend(b.lo);
         extend(b.hi);
     }
@@ -37,7 +37,7 @@ class Bvh {
   public:
     /// What the hierarchy is built of: a number that walk() hands back, and its box rounded outward.
     struct Item {
-        Item(const Box& box, std::uint32_t id);
+        Item(const Bounds& box, std::uint32_t id);
         std::uint32_t id() const { return std::bit_cast<std::uint32_t>(lo[3]); }
 
         float lo[4];  ///< the fourth holds the number's bits
@@ -55,10 +55,6 @@ class Bvh {
     template <class Visit, class Limit>
     void walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&& limit) const;
 
-    std::size_t memory_bytes() const {
-        return nodes_.size() * sizeof(Node) + items_.size() * sizeof(items_[0]);
-    }
-
   private:
     typedef float Float4 __attribute__((vector_size(16)));
     typedef std::int32_t Int4 __attribute__((vector_size(16)));
@@ -73,14 +69,7 @@ class Bvh {
     static constexpr int stack_size = 256;
 
     struct Builder;
-
-    static int mask_bits(Int4 mask) {
-#if defined(__SSE__)
-        return __builtin_ia32_movmskps(reinterpret_cast<Float4>(mask));
-#else
-        return (mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8);
-#endif
-    }
+    static int mask_bits(Int4 mask);
 
     bool near_box(const Vec3& p) const {
         return p.x >= near_lo_.x && p.y >= near_lo_.y && p.z >= near_lo_.z && p.x <= near_hi_.x &&
@@ -91,74 +80,8 @@ class Bvh {
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> items_;
-    Box box_;
+    Bounds box_;
     Vec3 near_lo_{0}, near_hi_{0};  ///< the box and as much again on all sides
 };
-
-template <class Visit, class Limit>
-void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&& limit) const {
-    if (nodes_.empty()) return;
-
-    // Single precision serves from the box's neighbourhood on: move there from farther away.
-    double enter = 0;
-    if (!near_box(origin) && !advance_to_box(origin, direction, limit(), enter)) return;
-
-    const auto component = [](double d) {
-        return static_cast<float>(std::fabs(d) < 1e-30 ? std::copysign(1e-30, d) : d);
-    };
-    const Float4 d{component(direction.x), component(direction.y), component(direction.z), 1.0f};
-    const Float4 inverse = 1.0f / d;
-    Float4 start[3], slope[3];
-    int near_side[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const float o = static_cast<float>(origin[axis] + direction[axis] * enter);
-        const float i = inverse[axis];
-        start[axis] = Float4{o, o, o, o};
-        slope[axis] = Float4{i, i, i, i};
-        near_side[axis] = i < 0;
-    }
-
-    constexpr float outward = 1.0f + 6e-7f;  // rounding of the far distances, four operations
-    // Nodes to visit and where the ray enters them, in two arrays so that no load spans two stores.
-    std::int32_t stack[stack_size];
-    float entry[stack_size];
-    int depth = 1;
-    stack[0] = 0;
-    entry[0] = 0.0f;
-    float far = static_cast<float>(limit() - enter) * outward;
-
-    while (depth > 0) {
-        const std::int32_t place = stack[--depth];
-        if (entry[depth] > far) continue;
-        if (place < 0) {
-            for (const std::uint32_t* item = &items_[static_cast<std::size_t>(~place)]; *item != end_of_leaf;
-                 ++item)
-                if (visit(*item)) return;
-            far = static_cast<float>(limit() - enter) * outward;
-            continue;
-        }
-        const Node& node = nodes_[static_cast<std::size_t>(place)];
-        Float4 t_near = Float4{0, 0, 0, 0};
-        Float4 t_far = Float4{far, far, far, far};
-        for (int axis = 0; axis < 3; ++axis) {
-            const Float4 t0 = (node.plane[near_side[axis]][axis] - start[axis]) * slope[axis];
-            const Float4 t1 = (node.plane[1 - near_side[axis]][axis] - start[axis]) * slope[axis] * outward;
-            t_near = t0 > t_near ? t0 : t_near;
-            t_far = t1 < t_far ? t1 : t_far;
-        }
-        const int first = depth;
-        for (int hits = mask_bits(t_near <= t_far); hits; hits &= hits - 1) {
-            const int lane = __builtin_ctz(static_cast<unsigned>(hits));
-            const float t = t_near[lane];
-            int i = depth++;  // keep the nearest on top
-            for (; i > first && entry[i - 1] < t; --i) {
-                entry[i] = entry[i - 1];
-                stack[i] = stack[i - 1];
-            }
-            entry[i] = t;
-            stack[i] = node.child[lane];
-        }
-    }
-}
 
 }  // namespace infra

@@ -26,8 +26,8 @@ double channel_value(const void* self, int number) {
     const LocalView& view = *static_cast<const LocalView*>(self);
     const Interaction& at = *view.at;
     const auto& m = view.to_local->matrix;
-    if (number >= 1 && number < cal::surface_normal)
-        return local_direction(view, at.ray->direction, number - 1);
+    if (number < 1) throw Error("illegal channel number $" + std::to_string(number), "a ray has $1 to $27");
+    if (number < cal::surface_normal) return local_direction(view, at.ray->direction, number - 1);
     if (number < cal::intersection_point)
         return local_direction(view, at.normal, number - cal::surface_normal);
     if (number < cal::total_distance) {
@@ -44,7 +44,7 @@ double channel_value(const void* self, int number) {
     if (number == cal::shadow_distance) return (at.distance + at.ray->shadow_before) * view.scale;
     if (number == cal::local_u || number == cal::local_v)
         return 0;  // only meshes have coordinates of their own
-    throw Error("illegal channel number " + std::to_string(number));
+    throw Error("illegal channel number $" + std::to_string(number), "a ray has $1 to $27");
 }
 
 }  // namespace
@@ -80,7 +80,12 @@ bool FunctionSet::evaluate(Tracer& tracer, const Interaction& at, double* values
     cal::Evaluator& evaluator = tracer.evaluator();
     evaluator.next_clock();
     const std::uint64_t faults = evaluator.fault_count();
-    for (const cal::ExprId expression : expressions_) *values++ = evaluator.evaluate(expression, host);
+    try {
+        for (const cal::ExprId expression : expressions_) *values++ = evaluator.evaluate(expression, host);
+    } catch (const Error& error) {
+        if (!error.where().file.empty()) throw;
+        throw host.error(error.message(), error.hint());
+    }
     return evaluator.fault_count() == faults;
 }
 

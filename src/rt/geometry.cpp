@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rt/bvh_walk.h"
+
 namespace infra {
 namespace {
 
@@ -10,9 +12,9 @@ Vec3 vec(std::span<const double> numbers, std::size_t first) {
     return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
-// Box of a disk of this radius.
-Box disk_box(const Vec3& center, const Vec3& axis, double radius) {
-    Box box;
+// Bounds of a disk of this radius.
+Bounds disk_box(const Vec3& center, const Vec3& axis, double radius) {
+    Bounds box;
     const Vec3 reach{radius * std::sqrt(std::max(0.0, 1 - axis.x * axis.x)),
                      radius * std::sqrt(std::max(0.0, 1 - axis.y * axis.y)),
                      radius * std::sqrt(std::max(0.0, 1 - axis.z * axis.z))};
@@ -29,7 +31,7 @@ void Geometry::reserve(std::size_t surfaces, std::size_t triangles) {
     items_.reserve(surfaces);
 }
 
-void Geometry::note(Kind kind, std::size_t index, int surface, const Box& box) {
+void Geometry::note(Kind kind, std::size_t index, int surface, const Bounds& box) {
     if (shape_of_.size() <= static_cast<std::size_t>(surface))
         shape_of_.resize(static_cast<std::size_t>(surface) + 1, no_shape);
     const ShapeRef shape = static_cast<ShapeRef>(kind) << 29 | static_cast<ShapeRef>(index);
@@ -78,7 +80,7 @@ bool Geometry::add_polygon(std::span<const double> vertices, int surface) {
     vertices = vertices.first(3 * count);
     const PolygonPlane plane = polygon_plane(vertices);
     if (plane.area == 0) return false;
-    Box box;
+    Bounds box;
     for (std::size_t i = 0; i < count; ++i) box.extend(vec(vertices, 3 * i));
     if (count == 3) {
         triangles_.emplace_back(vec(vertices, 0), vec(vertices, 3), vec(vertices, 6), surface);
@@ -114,7 +116,7 @@ bool Geometry::add_cone(PrimitiveType type, std::span<const double> numbers, int
     if (std::fabs(r1 - r0) <= same_place) r1 = r0;
     const Vec3 axis = (p1 - p0) / size;
     cones_.push_back({p0, axis, size, r0, (r1 - r0) / size, surface, inward});
-    Box box = disk_box(p0, axis, r0);
+    Bounds box = disk_box(p0, axis, r0);
     box.extend(disk_box(p1, axis, r1));
     note(cone, cones_.size() - 1, surface, box);
     return true;
@@ -218,15 +220,6 @@ Vec3 Geometry::normal(ShapeRef shape, const Vec3& point) const {
             return rings_[i].unit_normal;
     }
     return Vec3{0, 0, 1};
-}
-
-std::size_t Geometry::memory_bytes() const {
-    std::size_t corner_bytes = 0;
-    for (const Polygon& p : polygons_)
-        corner_bytes += 2 * sizeof(double) * static_cast<std::size_t>(p.corner_count);
-    return triangles_.size() * sizeof(Triangle) + polygons_.size() * sizeof(Polygon) + corner_bytes +
-           spheres_.size() * sizeof(Sphere) + cones_.size() * sizeof(Cone) + rings_.size() * sizeof(Ring) +
-           shape_of_.size() * sizeof(ShapeRef) + bvh_.memory_bytes();
 }
 
 }  // namespace infra

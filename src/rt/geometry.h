@@ -65,13 +65,11 @@ class Geometry {
                    : no_shape;
     }
 
-    std::size_t memory_bytes() const;
-
   private:
     static Kind kind(ShapeRef shape) { return static_cast<Kind>(shape >> 29); }
     static std::size_t index(ShapeRef shape) { return shape & 0x1fffffffu; }
     void test(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const;
-    void note(Kind kind, std::size_t index, int surface, const Box& box);
+    void note(Kind kind, std::size_t index, int surface, const Bounds& box);
     void sort_triangles();
     bool add_polygon(std::span<const double> vertices, int surface);
     bool add_cone(PrimitiveType type, std::span<const double> numbers, int surface);

@@ -51,7 +51,6 @@ struct Ray {
     double weight = 1;      ///< share of the primary ray's value that this one can still change
     Spectrum coefficient;   ///< of this ray's radiance in its parent's
     int level = 0;          ///< reflections so far
-    int depth = 0;          ///< rays before this one, of any kind
     int ambient_level = 0;  ///< diffuse bounces so far
     int aimed_source = -1;  ///< the light source that a shadow ray goes to
     std::uint16_t kind = primary_ray;
@@ -75,7 +74,6 @@ struct Interaction {
     int surface = -1;                          ///< index among the scene's surfaces, -1: nothing
     Vec3 perturbation{0};                      ///< of the normal, the sum of the textures met so far
     bool flipped = false;
-    bool discounted = false;  ///< a light source met by a ray that must not count it
 
     // What: set while shading
     Spectrum pattern;   ///< product of the patterns met so far

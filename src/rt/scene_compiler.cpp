@@ -64,9 +64,11 @@ class SceneCompiler {
         for (const Surface& surface : surfaces_) mark(scene_.modifier(surface.primitive));
         for (PrimitiveId id = scene_.size() - 1; id >= 0; --id) {
             if (!used[static_cast<std::size_t>(id)]) continue;
-            mark(scene_.modifier(id));
-            for (const std::string_view name : referenced_modifiers(scene_, id))
-                mark(scene_.find_modifier_before(name, id));
+            const ResolvedModifier resolved = scene_.resolve(id);
+            mark(resolved.modifier);
+            if (resolved.definition == void_primitive) continue;
+            for (const std::string_view name : referenced_modifiers(scene_, resolved.definition))
+                mark(scene_.find_modifier_before(name, resolved.definition));
         }
         made_.assign(static_cast<std::size_t>(scene_.size()), nullptr);
         for (PrimitiveId id = 0; id < scene_.size(); ++id)
@@ -78,18 +80,12 @@ class SceneCompiler {
         return id == void_primitive ? nullptr : made_[static_cast<std::size_t>(id)];
     }
 
+    // An alias is what it stands for, under its own modifier.
     const Modifier* compile(PrimitiveId id) {
-        const Modifier* next = made(scene_.modifier(id));
-        // An alias is what it stands for, under its own modifier.
-        PrimitiveId what = id;
-        while (scene_.type(what) == PrimitiveType::alias) {
-            const auto strings = scene_.strings(what);
-            if (strings.empty()) return next;
-            const PrimitiveId target = scene_.find_modifier_before(strings[0], what);
-            if (target == void_primitive)
-                throw scene_.error(what, "undefined modifier \"" + std::string(strings[0]) + "\"");
-            what = target;
-        }
+        const ResolvedModifier resolved = scene_.resolve(id);
+        const Modifier* next = made(resolved.modifier);
+        const PrimitiveId what = resolved.definition;
+        if (what == void_primitive) return next;
         check_arguments(scene_, what);
         const ModifierRow* row = find_modifier_row(scene_.type(what));
         if (!row)

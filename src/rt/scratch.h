@@ -22,6 +22,7 @@ struct HemisphereCell {
     Spectrum mean;
     float brightness = 0;
     float variance = 0;
+    int neighbours = 0;
 };
 
 struct Tracer::Scratch {

@@ -13,6 +13,9 @@ struct NameFilter {
     std::vector<std::string> names;
 };
 
+/// More rays than anyone asks for at one hit: keeps products of counts within an int.
+inline constexpr int most_samples = 1 << 24;
+
 struct RenderSettings {
     // Direct light
     double source_jitter = 0.0;       ///< -dj: share of a source's area over which samples are spread, 0..1

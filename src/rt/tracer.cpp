@@ -1,6 +1,8 @@
 #include "rt/tracer.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "rt/materials/scattering.h"
@@ -11,9 +13,9 @@ namespace {
 
 constexpr double tiny = 1e-6;
 constexpr double distant = infinite_distance * 0.99;
-/// Rays in a row, of any kind, before a path is given up: a guard for the stack, far beyond what -lr and -lw
-/// leave.
-constexpr int deepest = 1000;
+/// Stack that a primary ray and its descendants may use before a path is given up, in bytes: far more than
+/// -lr and -lw leave to any sensible scene, and half of what a thread has.
+constexpr std::ptrdiff_t stack_budget = 4 << 20;
 
 }  // namespace
 
@@ -39,6 +41,7 @@ Ray Tracer::primary(const Vec3& origin, const Vec3& direction, double max_distan
 // -----------------------------------------------------------------------------------------------------
 
 void Tracer::trace(Interaction& at) {
+    if (!at.ray->parent) stack_base_ = static_cast<const char*>(__builtin_frame_address(0));
     if (intersect(at)) {
         shade(at);
     } else if (at.ray->max_distance > tiny) {
@@ -59,6 +62,7 @@ void Tracer::cast(Interaction& at) {
 }
 
 void Tracer::irradiance(Interaction& at) {
+    stack_base_ = static_cast<const char*>(__builtin_frame_address(0));
     constexpr double above = 1e-5;  // where the imagined surface lies, as in RADIANCE
     at.distance = at.direct_distance = above;
     at.point = at.ray->origin + at.ray->direction * above;
@@ -92,8 +96,8 @@ void Tracer::complete_hit(const HitState& state, Interaction& at) const {
 bool Tracer::meet_distant_source(Interaction& at) const {
     const Ray& ray = *at.ray;
     const auto covers = [&](const LightSource& source) {
-        constexpr double rim =
-            1e-6;  // sr: the rim belongs to the source, so that two half spaces leave no gap
+        // The rim of a half space belongs to it, so that sky and sea leave no gap.
+        const double rim = source.size > std::numbers::pi ? 1e-6 : 0.0;
         return 2 * std::numbers::pi * (1.0 - dot(source.center, ray.direction)) <= source.size + rim;
     };
     if (ray.aimed_source >= 0) {
@@ -153,7 +157,7 @@ void Tracer::apply_patterns(const Modifier* chain, Interaction& at) {
 void Tracer::pass_through(Interaction& at) {
     Ray child(at.channels());
     spawn(child, through_ray, at, nullptr);  // goes on whatever its weight
-    if (at.distance >= distant || child.depth > deepest) return;
+    if (at.distance >= distant || stack_is_used_up()) return;
     child.direction = at.ray->direction;
     Interaction beyond(child);
     trace(beyond);
@@ -161,6 +165,10 @@ void Tracer::pass_through(Interaction& at) {
     at.mirrored = beyond.mirrored;
     at.mirrored_distance = at.distance + beyond.mirrored_distance;
     at.direct_distance = at.distance + beyond.direct_distance;
+}
+
+bool Tracer::stack_is_used_up() const {
+    return stack_base_ - static_cast<const char*>(__builtin_frame_address(0)) > stack_budget;
 }
 
 bool Tracer::is_flat(const Interaction& at) const { return at.flat_shape != Geometry::no_shape; }
@@ -213,7 +221,7 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     if (!spawn(child, lobe.kind, at, &lobe.coefficient)) return;
     int count = lobe.sample_count(at.weight);
     if (settings_.min_weight > 0 && child.weight <= settings_.min_weight * count)
-        count = static_cast<int>(child.weight / settings_.min_weight);
+        count = static_cast<int>(std::min<double>(child.weight / settings_.min_weight, most_samples));
     if (count > 1) {
         child.coefficient *= 1.0f / static_cast<float>(count);
         child.weight /= count;
@@ -248,7 +256,6 @@ bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, cons
     child.kind = kind;
     child.lineage = parent.lineage | kind;
     child.level = parent.level;
-    child.depth = parent.depth + 1;
     child.ambient_level = parent.ambient_level;
     child.aimed_source = parent.aimed_source;
     child.path_before = parent.path_before + from.distance;
@@ -259,9 +266,10 @@ bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, cons
         child.max_distance = 0;
     } else {
         child.max_distance = parent.max_distance > tiny ? parent.max_distance - from.distance : 0.0;
+        if (parent.max_distance > tiny && child.max_distance <= tiny) return false;  // ends at the aft plane
     }
     child.weight = from.weight * share;
-    if (child.weight <= 0 || child.depth > deepest) return false;
+    if (child.weight <= 0 || stack_is_used_up()) return false;
     if (child.lineage & shadow_rays) return true;
 
     if (settings_.max_reflections <= 0 && coefficient) {  // Russian roulette

@@ -81,6 +81,8 @@ class Tracer {
     struct Scratch;
 
     bool spawn(Ray& child, std::uint16_t kind, const Interaction& from, const Spectrum* coefficient);
+    /// Deeper recursion would endanger the thread's stack.
+    bool stack_is_used_up() const;
     bool intersect(Interaction& at);
     bool meet_distant_source(Interaction& at) const;
     void complete_hit(const HitState& state, Interaction& at) const;
@@ -114,6 +116,7 @@ class Tracer {
     cal::Evaluator evaluator_;
     RayObserver* observer_ = nullptr;
     bool observe_shadows_ = false;
+    const char* stack_base_ = nullptr;  // where the primary ray under way was started
     std::uint64_t ray_count_ = 0;
     std::uint64_t bad_values_ = 0;
 

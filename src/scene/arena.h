@@ -24,8 +24,6 @@ class Arena {
         return place;
     }
 
-    std::size_t memory_bytes() const { return total_ * sizeof(T); }
-
   private:
     static constexpr std::size_t block_size = 16384;
 

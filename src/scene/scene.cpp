@@ -129,11 +129,6 @@ void Scene::release_geometry_arguments() {
     geometry_reals_ = {};
 }
 
-std::size_t Scene::memory_bytes() const {
-    return records_.capacity() * sizeof(Record) + reals_.memory_bytes() + geometry_reals_.memory_bytes() +
-           strings_.memory_bytes() + text_.memory_bytes();
-}
-
 void check_arguments(const Scene& scene, PrimitiveId id) {
     const PrimitiveInfo& row = scene.type_info(id);
     const std::string wrong = wrong_counts(row, scene.strings(id).size(), scene.reals(id).size());

@@ -79,8 +79,6 @@ class Scene {
     /// Forgets the real arguments of surfaces, most of a large scene, once they have been made use of.
     void release_geometry_arguments();
 
-    std::size_t memory_bytes() const;
-
   private:
     struct Record {
         const char* name;

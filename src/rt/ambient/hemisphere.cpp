@@ -3,6 +3,7 @@
 //
 // source: Shirley & Chiu, "A Low Distortion Map Between Disk and Square", JGT 2 (1997); numbers of rays as
 // RADIANCE 6.1.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +14,7 @@ namespace infra {
 namespace {
 
 constexpr double tiny = 1e-6;
+constexpr int most_divisions = 4096;       // along a side: a hemisphere then has most_samples rays
 constexpr int least_cells_for_extra = 49;  // fewer rays say too little of where the differences are
 
 /// sin and cos of an angle within pi/4 of 0, to 1e-11: their Taylor series.
@@ -43,15 +45,14 @@ void estimate_variances(std::vector<HemisphereCell>& cells, int n, double norm) 
     const auto cell = [&](int i, int j) -> HemisphereCell& {
         return cells[static_cast<std::size_t>(i * n + j)];
     };
-    std::vector<int> neighbours(cells.size(), 0);
     const auto compare = [&](int i, int j, int k, int l) {
         HemisphereCell &a = cell(i, j), &b = cell(k, l);
         const double difference = a.brightness - b.brightness;
         const double squared = difference * difference * norm / (a.brightness + b.brightness + tiny);
         a.variance += static_cast<float>(squared);
         b.variance += static_cast<float>(squared);
-        ++neighbours[static_cast<std::size_t>(i * n + j)];
-        ++neighbours[static_cast<std::size_t>(k * n + l)];
+        ++a.neighbours;
+        ++b.neighbours;
     };
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
@@ -59,8 +60,8 @@ void estimate_variances(std::vector<HemisphereCell>& cells, int n, double norm) 
             if (j) compare(i, j, i, j - 1);
             if (i && j) compare(i, j, i - 1, j - 1);
         }
-    for (std::size_t c = 0; c < cells.size(); ++c)
-        if (neighbours[c]) cells[c].variance *= 6.0f / static_cast<float>(neighbours[c]);
+    for (HemisphereCell& c : cells)  // as if all had the six that inner cells have
+        if (c.neighbours) c.variance *= 6.0f / static_cast<float>(c.neighbours);
 }
 
 }  // namespace
@@ -136,14 +137,16 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
     const double heaviest =
         0.8 * reflectance * at.weight / (settings_.ambient_divisions * settings_.min_weight + 1e-20);
     const double weight = std::fmin(at.weight, heaviest);
-    half.divisions = std::max(1, static_cast<int>(std::sqrt(settings_.ambient_divisions * weight) + 0.5));
+    half.divisions = std::clamp(static_cast<int>(std::sqrt(settings_.ambient_divisions * weight) + 0.5), 1,
+                                most_divisions);
     const int cell_count = half.divisions * half.divisions;
     half.share *= 1.0f / static_cast<float>(cell_count);
     const double ray_weight = at.weight * half.share.maximum();
     half.steady = ray_weight > settings_.min_weight && half.share.maximum() <= 1;
     if (half.steady && !spawn_ambient(half, at)) return false;
 
-    const int extra = static_cast<int>(settings_.ambient_super_samples * weight + 0.5);
+    const int extra =
+        static_cast<int>(std::min<double>(settings_.ambient_super_samples * weight + 0.5, most_samples));
     if (extra >= 4 * half.divisions && cell_count > least_cells_for_extra)
         return sample_adaptively(half, extra, at, sum);
 

@@ -6,6 +6,7 @@
 #include "nrlbrdf/sampler.h"
 #include "rt/lobes/lobe.h"
 #include "rt/ray.h"
+#include "rt/settings.h"
 
 namespace infra {
 
@@ -13,11 +14,13 @@ class TableLobe final : public Lobe {
   public:
     /// color: factor on the table; albedo: the lobe's directional-hemispherical reflectance for this viewer,
     /// > 0.
+    /// normal carries the textures; no sample goes below surface_normal.
     TableLobe(const Spectrum& color, double albedo, const LobeSampler& sampler, const Vec3& normal,
-              const Vec3& to_viewer, double samples)
+              const Vec3& surface_normal, const Vec3& to_viewer, double samples)
         : Lobe(reflected_lobe, color * static_cast<float>(albedo)),
           sampler_(sampler),
           normal_(normal),
+          surface_normal_(surface_normal),
           inverse_albedo_(1.0 / albedo),
           samples_(samples) {
         make_frame(normal, u_, v_);
@@ -26,27 +29,28 @@ class TableLobe final : public Lobe {
 
     double eval(const Vec3& wi, double) const override {
         const Vec3 local = to_local(wi);
-        if (local.z <= 0) return 0;
+        if (local.z <= 0 || dot(wi, surface_normal_) <= same_place) return 0;
         return sampler_.table().eval_lobe(wo_, local) * local.z * inverse_albedo_;
     }
 
     LobeDraw sample(RandomStream& random, int) const override {
         const double u1 = random.uniform(), u2 = random.uniform(), u3 = random.uniform();
         const LobeSample drawn = sampler_.sample(wo_, u1, u2, u3);
-        return {u_ * drawn.wi.x + v_ * drawn.wi.y + normal_ * drawn.wi.z, drawn.weight * inverse_albedo_};
+        const Vec3 wi = u_ * drawn.wi.x + v_ * drawn.wi.y + normal_ * drawn.wi.z;
+        return {wi, dot(wi, surface_normal_) > same_place ? drawn.weight * inverse_albedo_ : 0.0};
     }
 
     double pdf(const Vec3& wi) const override { return sampler_.pdf(wo_, to_local(wi)); }
 
     int sample_count(double ray_weight) const override {
-        return std::max(1, static_cast<int>(samples_ * ray_weight + 0.5));
+        return std::max(1, static_cast<int>(std::min<double>(samples_ * ray_weight + 0.5, most_samples)));
     }
 
   private:
     Vec3 to_local(const Vec3& d) const { return {dot(d, u_), dot(d, v_), dot(d, normal_)}; }
 
     const LobeSampler& sampler_;
-    Vec3 normal_, u_, v_, wo_;
+    Vec3 normal_, surface_normal_, u_, v_, wo_;
     double inverse_albedo_;
     double samples_;
 };

@@ -10,6 +10,7 @@
 
 #include "rt/lobes/lobe.h"
 #include "rt/ray.h"
+#include "rt/settings.h"
 
 namespace infra {
 
@@ -25,7 +26,7 @@ struct WardSetting {
 /// Number of rays for -ss: one up to 1.5, above that so many for a ray of weight 1.
 inline int ward_sample_count(double specular_samples, double ray_weight) {
     if (specular_samples <= 1.5) return 1;
-    const int wanted = static_cast<int>(specular_samples * ray_weight + 0.5);
+    const int wanted = static_cast<int>(std::min<double>(specular_samples * ray_weight + 0.5, most_samples));
     return wanted > 1 ? wanted : 1;
 }
 

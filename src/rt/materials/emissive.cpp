@@ -45,8 +45,10 @@ EmissiveMaterial::EmissiveMaterial(std::string_view name, const Modifier* next, 
 bool EmissiveMaterial::counts(const Tracer& tracer, const Interaction& at) const {
     const Ray& ray = *at.ray;
     const auto out_of_reach = [&](double distance) { return reach_ >= -same_place && distance > reach_; };
-    // Sampled as a light source already
-    if (ray.is(ambient_rays | lobe_rays) && at.cosine >= 0 && !out_of_reach(at.distance)) return false;
+    // Sampled as a light source already; a surface that cannot be, in a mixture say, has no source number.
+    const bool sampled = tracer.scene().surface(at.surface).source >= 0;
+    if (sampled && ray.is(ambient_rays | lobe_rays) && at.cosine >= 0 && !out_of_reach(at.distance))
+        return false;
     return tracer.settings().sources_visible || out_of_reach(ray.path_before + at.distance);
 }
 
@@ -55,10 +57,12 @@ void EmissiveMaterial::add_emission(Tracer& tracer, Interaction& at) const {
         at.radiance.add_product(radiance_, at.pattern);
         return;
     }
-    const Spectrum before = at.pattern;
+    const Spectrum pattern = at.pattern;
+    const Vec3 perturbation = at.perturbation;
     tracer.apply_patterns(next(), at);
     at.radiance.add_product(radiance_, at.pattern);
-    at.pattern = before;
+    at.pattern = pattern;  // what modifies the emission does not modify the reflecting material
+    at.perturbation = perturbation;
 }
 
 bool EmissiveMaterial::shade(Tracer& tracer, Interaction& at) const {

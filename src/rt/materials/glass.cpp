@@ -38,7 +38,7 @@ class Glass final : public SurfaceMaterial {
 
     void scatter(const Interaction& at, bool flat_surface, const RenderSettings&, bool shadow,
                  Scattering& out) const override {
-        const double cosine = -dot(out.normal, at.ray->direction);
+        const double cosine = std::max(-dot(out.normal, at.ray->direction), 1e-6);
         const bool textured = at.textured();
         const double inner = std::sqrt(1.0 - (1.0 - cosine * cosine) / (index_ * index_));
         const auto squared = [](double x) { return x * x; };

@@ -38,21 +38,15 @@ bool LightMaterial::counts(const Tracer& tracer, const Interaction& at) const {
 
 bool LightMaterial::shade(Tracer& tracer, Interaction& at) const {
     const Ray& ray = *at.ray;
-    if (!counts(tracer, at)) {
-        at.discounted = true;
-        return true;
-    }
+    if (!counts(tracer, at)) return true;
     const bool aimed = ray.aimed_source >= 0 && tracer.scene().source(ray.aimed_source).surface == at.surface;
     if (kind_ == Kind::illum && !aimed) {
         if (has_other_) return tracer.shade_chain(other_, at);
         tracer.pass_through(at);
         return true;
     }
-    if (!tracer.settings().sources_visible && !ray.is(shadow_rays) &&
-        reaches(ray.path_before + at.distance)) {
-        at.discounted = true;
+    if (!tracer.settings().sources_visible && !ray.is(shadow_rays) && reaches(ray.path_before + at.distance))
         return true;
-    }
     if (at.cosine < 0) {
         if (!tracer.settings().back_faces_visible) tracer.pass_through(at);
         return true;

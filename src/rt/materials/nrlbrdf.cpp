@@ -40,7 +40,8 @@ class TableMaterial final : public SurfaceMaterial {
         out.ambient = out.diffuse;
         const double albedo = table.lobe_reflectance_dh(-dot(out.normal, at.ray->direction));
         if (albedo > 0)
-            out.add_lobe<TableLobe>(true, color, albedo, sampler_, out.normal, -at.ray->direction, samples_);
+            out.add_lobe<TableLobe>(true, color, albedo, sampler_, out.normal, at.normal, -at.ray->direction,
+                                    samples_);
     }
 
   private:

@@ -62,8 +62,10 @@ void TracerFaults::report(const WarningSink& warn) const {
         warn(formatted("%llu radiances were not finite and count as 0",
                        static_cast<unsigned long long>(bad_values)));
     if (function_faults > 0)
-        warn(formatted("%llu function values were undefined and count as 0, the last: %s",
-                       static_cast<unsigned long long>(function_faults), last_function_fault.c_str()));
+        warn(
+            formatted("%llu function values were undefined, and their patterns, textures or mixtures left "
+                      "out; one of them: %s",
+                      static_cast<unsigned long long>(function_faults), last_function_fault.c_str()));
 }
 
 }  // namespace infra

@@ -69,7 +69,8 @@ void add_mist_rows(OptionTable& table) {
 }
 
 void add_limit_rows(OptionTable& table, RenderSettings& settings) {
-    table.integer("-lr", &settings.max_reflections, "limit reflection").remark([&settings] {
+    constexpr double fewest = -1e6;  // its negative is a count too
+    table.integer("-lr", &settings.max_reflections, "limit reflection").at_least(fewest).remark([&settings] {
         return std::string("limit reflection") + (settings.max_reflections <= 0 ? " (Russian roulette)" : "");
     });
     table.real("-lw", &settings.min_weight, "limit weight", true);
@@ -106,6 +107,8 @@ void add_refused_rows(OptionTable& table) {
     const std::string persistence = "persistent processes are not built yet";
     table.unsupported("-ap", "s", photons);
     table.unsupported("-am", "f", photons);
+    table.unsupported("-ac", "i", photons);
+    table.unsupported("-aC", "i", photons);
     table.unsupported("-af", "s", "there is no cache of indirect light to keep in a file yet");
     table.custom(
         "-cs", "i",

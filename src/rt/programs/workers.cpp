@@ -13,6 +13,10 @@
 namespace infra {
 namespace {
 
+/// A path's rays are nested calls. TBB's own threads would have half the stack that the main thread usually
+/// has.
+constexpr std::size_t stack_bytes = std::size_t(8) << 20;
+
 int thread_count(int wanted) {
     if (wanted > 0) return wanted;
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -23,10 +27,12 @@ int thread_count(int wanted) {
 struct Workers::Arena {
     // Without it TBB never runs more threads than there are cores, whatever -n says.
     tbb::global_control limit;
+    tbb::global_control stack;
     tbb::task_arena arena;
 
     explicit Arena(int threads)
         : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
+          stack(tbb::global_control::thread_stack_size, stack_bytes),
           arena(threads) {}
 };
 
