@@ -21,6 +21,12 @@ std::string complete_line(const Location& where, std::string_view message, std::
     return line;
 }
 
+/// A full device shows only when the last bytes leave the buffer.
+void flush_standard_output() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+        throw Error("cannot write the standard output", "is the device full?", Severity::system);
+}
+
 }  // namespace
 
 Error::Error(Location where, std::string_view message, std::string_view hint, Severity severity)
@@ -48,17 +54,26 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+std::string one_line(std::string_view text) {
+    std::string line(text);
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+    return line;
+}
+
 int run_program(const char* name, int (*body)(int argc, char** argv), int argc, char** argv) {
     try {
-        return body(argc, argv);
+        const int status = body(argc, argv);
+        flush_standard_output();
+        return status;
     } catch (const Error& error) {
-        std::fprintf(stderr, "%s: %s\n", name, error.what());
+        std::fprintf(stderr, "%s: %s\n", name, one_line(error.what()).c_str());
         return static_cast<int>(error.severity());
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "%s: out of memory\n", name);
         return static_cast<int>(Severity::system);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s: internal error: %s\n", name, error.what());
+        std::fprintf(stderr, "%s: internal error: %s\n", name, one_line(error.what()).c_str());
         return static_cast<int>(Severity::internal);
     }
 }

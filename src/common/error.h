@@ -56,8 +56,11 @@ std::string nearest_name(std::string_view name, const Range& known) {
     return best;
 }
 
-/// Runs a program's body: prints any exception as "program: what" on stderr and turns it into the exit
-/// status.
+/// A message as one line: control characters, which names of files may hold, become '?'.
+std::string one_line(std::string_view text);
+
+/// Runs a program's body: prints any exception as one line "program: what" on stderr and turns it into the
+/// exit status. Bytes that the body has printed and the standard output has lost are an error too.
 int run_program(const char* name, int (*body)(int argc, char** argv), int argc, char** argv);
 
 }  // namespace infra

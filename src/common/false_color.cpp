@@ -15,19 +15,6 @@ constexpr Rgb8 ground{24, 24, 28};
 constexpr Rgb8 ink{230, 230, 230};
 constexpr Rgb8 not_a_number{128, 128, 128};
 
-/// Samples of "inferno" at 0, 0.1, ... 1 (S. van der Walt, N. Smith, E. Firing; CC0).
-constexpr std::array<Rgb8, 11> palette{{{0, 0, 4},
-                                        {22, 11, 57},
-                                        {66, 10, 104},
-                                        {106, 23, 110},
-                                        {147, 38, 103},
-                                        {188, 55, 84},
-                                        {221, 81, 58},
-                                        {243, 120, 25},
-                                        {252, 165, 10},
-                                        {246, 215, 70},
-                                        {252, 255, 164}}};
-
 /// Dots of the font for a picture of that height.
 int text_scale_for(int height) { return std::clamp((height + 100) / 200, 1, 6); }
 
@@ -45,21 +32,11 @@ std::string tick_text(double value, double step) {
 
 }  // namespace
 
-Rgb8 palette_color(double t) {
-    const double place = std::clamp(t, 0.0, 1.0) * (palette.size() - 1);
-    const std::size_t below = std::min(static_cast<std::size_t>(place), palette.size() - 2);
-    const double weight = place - double(below);
-    Rgb8 color{};
-    for (int c = 0; c < 3; ++c)
-        color[c] = static_cast<std::uint8_t>(
-            std::lround((1 - weight) * palette[below][c] + weight * palette[below + 1][c]));
-    return color;
-}
-
 Image8 false_color(std::span<const float> values, int width, int height, const FalseColorScale& scale) {
     Image8 image(width, height);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        image.pixels[i] = std::isfinite(values[i]) ? palette_color(position(values[i], scale)) : not_a_number;
+        image.pixels[i] = std::isfinite(values[i]) ? palette_color(position(values[i], scale), scale.palette)
+                                                   : not_a_number;
     return image;
 }
 
@@ -80,6 +57,7 @@ std::vector<double> round_ticks(double low, double high, int count) {
 std::string pretty_unit(const std::string& unit) {
     static constexpr std::array<const char*, 10> superscripts{"⁰", "¹", "²", "³", "⁴",
                                                               "⁵", "⁶", "⁷", "⁸", "⁹"};
+    if (unit == "degC") return "°C";
     std::string pretty;
     for (std::size_t i = 0; i < unit.size(); ++i) {
         const char c = unit[i];
@@ -122,7 +100,7 @@ Image8 draw_legend(int height, const FalseColorScale& scale, int text_scale) {
     draw_text(legend, margin, margin, scale.quantity, ink, text_scale);
     draw_text(legend, margin, margin + line, unit, ink, text_scale);
     for (int row = 0; row < bar_height; ++row) {
-        const Rgb8 color = palette_color(1 - (row + 0.5) / bar_height);
+        const Rgb8 color = palette_color(1 - (row + 0.5) / bar_height, scale.palette);
         for (int x = 0; x < bar_width; ++x) legend.set(margin + x, bar_top + row, color);
     }
     for (const double tick : ticks) {

@@ -6,20 +6,17 @@
 #include <vector>
 
 #include "common/image8.h"
+#include "common/palette.h"
 
 namespace infra {
 
-/// Colour of a value between 0 and 1 on a dark-to-light scale whose lightness rises steadily, so that equal
-/// steps look equal also in grey. Values outside are clamped. Black, purple, red, orange, pale yellow: after
-/// matplotlib's "inferno" (CC0).
-Rgb8 palette_color(double t);
-
 /// What the colours stand for.
 struct FalseColorScale {
-    double low = 0;        ///< value of the darkest colour
-    double high = 1;       ///< value of the lightest colour, > low
+    double low = 0;        ///< value at the low end of the colours
+    double high = 1;       ///< value at the other end, > low
     std::string quantity;  ///< title, "radiance"
     std::string unit;      ///< "W·m⁻²·sr⁻¹"; ASCII "W.m-2.sr-1" is drawn with superscripts too
+    Palette palette = palettes().front();  ///< the colours
 };
 
 /// Colours `values` (width*height, top row first). Values that are not finite become mid-grey.
@@ -35,7 +32,7 @@ Image8 false_color_with_legend(std::span<const float> values, int width, int hei
 /// Round numbers (1, 2 or 5 times a power of ten) between low and high, at most `count` of them.
 std::vector<double> round_ticks(double low, double high, int count);
 
-/// "W.m-2.sr-1" -> "W·m⁻²·sr⁻¹"; texts without that form stay.
+/// "W.m-2.sr-1" -> "W·m⁻²·sr⁻¹", "degC" -> "°C"; texts without that form stay.
 std::string pretty_unit(const std::string& unit);
 
 }  // namespace infra

@@ -13,7 +13,9 @@
 namespace infra {
 namespace {
 
-constexpr std::array<int, 3> handled{SIGINT, SIGTERM, SIGHUP};
+/// SIGALRM tells that the first of the others has had no answer in time.
+constexpr std::array<int, 4> handled{SIGINT, SIGTERM, SIGHUP, SIGALRM};
+constexpr unsigned seconds_to_answer = 2;
 
 /// A path that the signal handler may read at any moment: written first, then published by `state`.
 struct Slot {
@@ -23,14 +25,19 @@ struct Slot {
 };
 
 // A signal handler has no argument of ours, so its state cannot live anywhere else.
-std::atomic<int> signals_seen{0};
+std::atomic<int> first_signal{0};  // 0: none yet
 std::array<Slot, 16> slots;
 std::array<struct sigaction, handled.size()> earlier_actions;
 
 static_assert(std::atomic<int>::is_always_lock_free);
 
 void on_signal(int signal_number) {
-    if (signals_seen.fetch_add(1) == 0) return;
+    int seen = 0;
+    if (signal_number != SIGALRM && first_signal.compare_exchange_strong(seen, signal_number)) {
+        alarm(seconds_to_answer);
+        return;
+    }
+    if (signal_number == SIGALRM && first_signal != 0) signal_number = first_signal;
     for (const Slot& slot : slots)
         if (slot.state.load() == Slot::published) unlink(slot.path);
     signal(signal_number, SIG_DFL);
@@ -39,14 +46,14 @@ void on_signal(int signal_number) {
 
 }  // namespace
 
-bool interrupted() { return signals_seen.load(std::memory_order_relaxed) > 0; }
+bool interrupted() { return first_signal.load(std::memory_order_relaxed) != 0; }
 
 void throw_if_interrupted() {
     if (interrupted()) throw Error("interrupted", {}, Severity::internal);
 }
 
 InterruptGuard::InterruptGuard() {
-    signals_seen = 0;
+    first_signal = 0;
     struct sigaction action {};
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);
@@ -57,8 +64,9 @@ InterruptGuard::InterruptGuard() {
 }
 
 InterruptGuard::~InterruptGuard() {
+    alarm(0);
     for (std::size_t i = 0; i < handled.size(); ++i) sigaction(handled[i], &earlier_actions[i], nullptr);
-    signals_seen = 0;
+    first_signal = 0;
 }
 
 void remove_on_interrupt(const char* path) {

@@ -1,4 +1,5 @@
-// Orderly end on SIGINT and SIGTERM: the first signal asks the program to stop, the second ends it at once.
+// Orderly end on SIGINT and SIGTERM: the first signal asks the program to stop; the second, or the lack
+// of an answer, ends it.
 #pragma once
 
 namespace infra {
@@ -9,8 +10,10 @@ bool interrupted();
 /// throws Error "interrupted" (exit status 3, as RADIANCE's for a signal) once interrupted() is true.
 void throw_if_interrupted();
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP set interrupted(); a second one removes the registered files
-/// and ends the program. Signals that were ignored stay so. One at a time; programs make it in their body.
+/// While it lives, SIGINT, SIGTERM and SIGHUP set interrupted(). A second one, or a guard that still lives
+/// two seconds after the first (a pixel may take hours), removes the registered files and ends the program by
+/// the signal. Signals that were ignored stay so. Uses SIGALRM. One at a time; programs make it in their
+/// body.
 class InterruptGuard {
   public:
     InterruptGuard();
@@ -19,7 +22,8 @@ class InterruptGuard {
     ~InterruptGuard();
 };
 
-/// Registers a file for removal by the second signal, until forgotten. The path is copied. Thread-safe.
+/// Registers a file for removal when a signal ends the program, until forgotten. The path is copied.
+/// Thread-safe.
 void remove_on_interrupt(const char* path);
 void forget_on_interrupt(const char* path);
 

@@ -158,6 +158,8 @@ OptionRow& OptionTable::unsupported_attached(std::string spelling, std::string p
     return row;
 }
 
+void OptionTable::describe(std::string description) { description_ = std::move(description); }
+
 void OptionTable::read_environment(std::string variable) { environment_ = std::move(variable); }
 
 std::string OptionTable::defaults() const {
@@ -176,6 +178,7 @@ std::string OptionTable::help() const {
     std::string text = std::string(version_string()) + "\nusage: " + program_ + " [options]";
     if (!usage_.empty()) text += " " + usage_;
     text += "\n\n";
+    if (!description_.empty()) text += description_ + "\n\n";
     const auto add_line = [&text](std::string line, const std::string& remark) {
         line = "  " + line;
         line.resize(std::max(line.size() + 2, help_column), ' ');

@@ -44,7 +44,11 @@ std::vector<std::string> expansion(const std::string& word) {
 }
 
 bool expandable(const std::string& word) { return word.size() > 1 && (word[0] == '@' || word[0] == '$'); }
-bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '-'; }
+/// A negative number is none: it is a value given to the program.
+bool is_option(const std::string& word) {
+    double number = 0;
+    return word.size() > 1 && word[0] == '-' && !parse_real(word, number);
+}
 
 /// Whether `suffix` after a toggle's spelling sets it.
 bool is_toggle_suffix(std::string_view suffix) {

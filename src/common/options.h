@@ -96,6 +96,9 @@ class OptionTable {
     /// The same for options with letters joined on (-apX).
     OptionRow& unsupported_attached(std::string spelling, std::string pattern, std::string reason);
 
+    /// What the program does, in lines of -help between the usage and the options.
+    void describe(std::string description);
+
     /// Reads options from this environment variable before those of the command line, when it is set.
     void read_environment(std::string variable);
 
@@ -129,6 +132,7 @@ class OptionTable {
 
     std::string program_;
     std::string usage_;
+    std::string description_;
     std::string environment_;
     std::deque<OptionRow> rows_;  // a deque, so that the references handed out stay good
     std::vector<std::string> applied_;

@@ -1,10 +1,12 @@
 // Everything that OpenImageIO does for us: reading foreign pictures and writing PNG. Its headers stay in
 // here.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "common/atomic_file.h"
 #include "common/error.h"
@@ -24,7 +26,7 @@ bool has_radiance_magic(std::FILE* file) {
     return found;
 }
 
-/// The lines that write_exr stored.
+/// The lines that write_exr stored, and what the file says of its values as lines BAND=, QUANTITY=, UNIT=.
 PictureHeader stored_header(const OIIO::ImageSpec& spec) {
     PictureHeader header;
     const std::string lines = spec.get_string_attribute("radianceHeader");
@@ -32,6 +34,11 @@ PictureHeader stored_header(const OIIO::ImageSpec& spec) {
         const std::size_t end = std::min(lines.find('\n', start), lines.size());
         header.add(lines.substr(start, end - start));
         start = end + 1;
+    }
+    for (const auto& [attribute, name] :
+         {std::pair{"band", "BAND"}, {"quantity", "QUANTITY"}, {"unit", "UNIT"}}) {
+        const std::string text = spec.get_string_attribute(attribute);
+        if (!text.empty() && header.value(name) != text) header.add(std::string(name) + "= " + text);
     }
     return header;
 }
@@ -63,15 +70,18 @@ Picture read_picture(const std::string& path) {
 
 void write_png(const std::string& path, const Image8& image) {
     AtomicFile file(path);
-    file.close();
+    // Encoded in memory first: the library does not notice when a full device loses the last bytes.
+    OIIO::Filesystem::IOVecOutput encoded;
     const auto output = OIIO::ImageOutput::create("png");
     const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
-    if (!output || !output->open(file.part_path(), spec) ||
+    if (!output || !output->set_ioproxy(&encoded) || !output->open(path, spec) ||
         !output->write_image(OIIO::TypeDesc::UINT8, image.pixels.data()) || !output->close()) {
         throw Error(Location{path},
                     "cannot write picture: " + (output ? output->geterror() : OIIO::geterror()), {},
                     Severity::system);
     }
+    const std::vector<unsigned char>& bytes = encoded.buffer();
+    std::fwrite(bytes.data(), 1, bytes.size(), file.stream());
     file.commit();
 }
 

@@ -1,65 +1,79 @@
 #include "common/planck.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "common/error.h"
+#include "common/format.h"
+#include "common/planck_integral.h"
+#include "common/planck_inverse.h"
 
 namespace infra {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using constants::radiance_factor;
+using constants::second_radiation_um;
 
-// Integral of x^3/(e^x - 1) from x to infinity, x > 0.
-double tail_integral(double x) {
-    double sum = 0.0;
-    for (int n = 1; n < 400; ++n) {
-        const double term =
-            std::exp(-n * x) * (((x / n + 3.0 / (double(n) * n)) * x + 6.0 / (double(n) * n * n)) * x +
-                                6.0 / (double(n) * n * n * n));
-        sum += term;
-        if (term < 1e-17 * sum) break;
-    }
-    return sum;
-}
-
-// Integral of x^3/(e^x - 1) from 0 to x by the Bernoulli series, for x well below 2 pi.
-double head_integral(double x) {
-    constexpr double coefficients[] = {1.0 / 12,          -1.0 / 720,
-                                       1.0 / 30240,       -1.0 / 1209600,
-                                       1.0 / 47900160,    -691.0 / 1307674368000,
-                                       1.0 / 74724249600, -3617.0 / 10670622842880000};
-    // x/(e^x-1) = 1 - x/2 + sum B_2k x^2k / (2k)!, and the integrand is x^2 times that.
-    double sum = 1.0 / 3.0 - x / 8.0;
-    double power = x * x;
-    for (int k = 0; k < 8; ++k) {
-        sum += coefficients[k] * power / (2 * k + 5);
-        power *= x * x;
-    }
-    return x * x * x * sum;
+PlanckIntegral band_integral(double temperature, double lo_um, double hi_um) {
+    const double scale = second_radiation_um / temperature;
+    const double to = lo_um > 0.0 ? scale / lo_um : std::numeric_limits<double>::infinity();
+    return planck_integral(scale / hi_um, to);
 }
 
 }  // namespace
 
+void check_temperature(double temperature) {
+    if (!(temperature > 0.0) || std::isinf(temperature))
+        throw Error(formatted("temperature %g K is not above absolute zero", temperature));
+}
+
+void check_band(double lo_um, double hi_um) {
+    if (!(lo_um >= 0.0) || !(hi_um > lo_um))
+        throw Error(formatted("band %g..%g um is empty or reversed", lo_um, hi_um),
+                    "give the shorter wavelength first, in micrometres");
+}
+
+double spectral_radiance(double temperature, double wavelength_um) {
+    check_temperature(temperature);
+    if (!(wavelength_um > 0.0) || std::isinf(wavelength_um))
+        throw Error(formatted("wavelength %g um is not above 0", wavelength_um));
+    const double x = second_radiation_um / (wavelength_um * temperature);
+    const double fourth_power = temperature * temperature * temperature * temperature;
+    return radiance_factor * fourth_power * planck_integrand(x).energy * x / wavelength_um;  // dx = x dl/l
+}
+
 double blackbody_fraction(double wavelength_temperature) {
+    constexpr double pi = std::numbers::pi;
+    constexpr double whole = pi * pi * pi * pi / 15.0;
     if (wavelength_temperature <= 0.0) return 0.0;
     if (std::isinf(wavelength_temperature)) return 1.0;
-    constexpr double whole = pi * pi * pi * pi / 15.0;
-    const double x = constants::second_radiation_um / wavelength_temperature;
-    return x < 1.0 ? 1.0 - head_integral(x) / whole : tail_integral(x) / whole;
+    const double x = second_radiation_um / wavelength_temperature;
+    return planck_integral(x, std::numeric_limits<double>::infinity()).energy / whole;
+}
+
+ThermalRadiance band_thermal_radiance(double temperature, double lo_um, double hi_um) {
+    check_temperature(temperature);
+    check_band(lo_um, hi_um);
+    const PlanckIntegral integral = band_integral(temperature, lo_um, hi_um);
+    const double scale = radiance_factor * temperature * temperature * temperature;
+    return {scale * temperature * integral.energy, scale * integral.slope};
 }
 
 double band_radiance(double temperature, double lo_um, double hi_um) {
-    if (!(temperature > 0.0) || std::isinf(temperature))
-        throw Error("temperature " + std::to_string(temperature) + " K is not above absolute zero");
-    if (!(lo_um >= 0.0) || !(hi_um > lo_um))
-        throw Error("band " + std::to_string(lo_um) + ".." + std::to_string(hi_um) +
-                    " um is empty or reversed");
-    using namespace constants;
-    constexpr double sigma = 2.0 * pi * pi * pi * pi * pi * boltzmann * boltzmann * boltzmann * boltzmann /
-                             (15.0 * planck * planck * planck * light_speed * light_speed);
-    const double total = sigma * temperature * temperature * temperature * temperature / pi;
-    return total * (blackbody_fraction(hi_um * temperature) - blackbody_fraction(lo_um * temperature));
+    return band_thermal_radiance(temperature, lo_um, hi_um).radiance;
+}
+
+double band_radiance_slope(double temperature, double lo_um, double hi_um) {
+    return band_thermal_radiance(temperature, lo_um, hi_um).slope;
+}
+
+double band_temperature(double radiance, double lo_um, double hi_um) {
+    check_band(lo_um, hi_um);
+    const auto law = [lo_um, hi_um](double temperature) {
+        return band_thermal_radiance(temperature, lo_um, hi_um);
+    };
+    return invert_radiance(law, radiance);
 }
 
 }  // namespace infra

@@ -96,5 +96,20 @@ TEST(InterruptDeathTest, SecondSignalRemovesPartialFilesAndEnds) {
     EXPECT_EQ(folder.file_count(), 0u);
 }
 
+TEST(InterruptDeathTest, SignalWithoutAnswerEndsTheProgram) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const TemporaryFolder folder;
+    const std::string path = folder / "a";
+    EXPECT_EXIT(
+        {
+            const InterruptGuard guard;
+            AtomicFile file(path);
+            raise(SIGTERM);
+            for (;;) pause();
+        },
+        testing::KilledBySignal(SIGTERM), "");
+    EXPECT_EQ(folder.file_count(), 0u);
+}
+
 }  // namespace
 }  // namespace infra

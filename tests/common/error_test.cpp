@@ -36,5 +36,15 @@ TEST(RunProgram, TurnsErrorsIntoExitStatus) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "rpict: no scene\n");
 }
 
+int body_with_strange_name(int, char**) { throw Error(Location{"a\nb\t.rad", 2, 0}, "odd"); }
+
+TEST(RunProgram, KeepsErrorsToOneLine) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_program("rpict", body_with_strange_name, 0, nullptr), 1);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "rpict: a?b?.rad:2: odd\n");
+}
+
+TEST(OneLine, KeepsEverythingElse) { EXPECT_EQ(one_line("M\xc3\xbchle \x7f\x01"), "M\xc3\xbchle ??"); }
+
 }  // namespace
 }  // namespace infra

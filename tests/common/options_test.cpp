@@ -208,5 +208,19 @@ TEST(Options, HelpListsEveryRow) {
     EXPECT_EQ(testing::internal::GetCapturedStdout().find(help + "Infradiance "), 0u);
 }
 
+TEST(Options, ANegativeNumberIsAValue) {
+    Fixture f;
+    EXPECT_EQ(f.table.parse(Words{"-ab", "1", "-40", "-.5"}), (Words{"-40", "-.5"}));
+    EXPECT_EQ(f.table.parse(Words{"-1e3"}), (Words{"-1e3"}));
+    EXPECT_NE(f.error({"-1x"}).find("unknown option"), std::string::npos);
+}
+
+TEST(Options, HelpHoldsTheDescription) {
+    Fixture f;
+    f.table.describe("Renders scenes.");
+    EXPECT_NE(f.table.help().find("usage: rpict [options] [octree]\n\nRenders scenes.\n\n  -vp"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace infra

@@ -89,6 +89,75 @@ TEST(Planck, FractionIsContinuousWhereTheSeriesChange) {
     }
 }
 
+// Where the difference of two fractions would have lost most digits.
+TEST(Planck, IsExactInNarrowAndFarBands) {
+    struct Case {
+        double temperature, lo_um, hi_um;
+    };
+    for (const Case& c : {Case{300, 9.999, 10},
+                          {3000, 900, 1000},
+                          {3000, 999, 1000},
+                          {150, 10, 10.0001},
+                          {14387.8, 0.9, 1.1},
+                          {600, 20, 30},
+                          {150, 3, 5},
+                          {150, 0.25, 0.3}})
+        EXPECT_NEAR(
+            band_radiance(c.temperature, c.lo_um, c.hi_um) / quadrature(c.temperature, c.lo_um, c.hi_um), 1,
+            1e-11)
+            << c.temperature << " K, " << c.lo_um << ".." << c.hi_um << " um";
+}
+
+TEST(Planck, SpectralRadianceIsWhatTheBandIntegrates) {
+    EXPECT_NEAR(spectral_radiance(300, 10), 9.924033330, 1e-8);
+    EXPECT_NEAR(band_radiance(300, 9.999, 10.001) / 0.002 / spectral_radiance(300, 10), 1, 1e-7);
+    EXPECT_EQ(spectral_radiance(1, 0.2), 0);
+    EXPECT_THROW(spectral_radiance(0, 10), Error);
+    EXPECT_THROW(spectral_radiance(300, 0), Error);
+    EXPECT_THROW(spectral_radiance(300, std::nan("")), Error);
+}
+
+constexpr std::array<std::pair<double, double>, 8> bands = {
+    {{3, 5}, {8, 12}, {8, 14}, {0.2, 1000}, {9.99, 10}, {3.7, 4.2}, {100, 1000}, {0.2, 0.4}}};
+
+TEST(Planck, SlopeIsTheDerivative) {
+    for (const double temperature : {150.0, 300.0, 1000.0, 3000.0})
+        for (const auto& [lo, hi] : bands) {
+            const double step = 1e-4 * temperature;
+            const double rise =
+                8 * (band_radiance(temperature + step, lo, hi) - band_radiance(temperature - step, lo, hi)) -
+                (band_radiance(temperature + 2 * step, lo, hi) -
+                 band_radiance(temperature - 2 * step, lo, hi));
+            const double slope = band_radiance_slope(temperature, lo, hi);
+            EXPECT_NEAR(slope * 12 * step / rise, 1, 1e-7)
+                << temperature << " K, " << lo << ".." << hi << " um";
+            EXPECT_EQ(slope, band_thermal_radiance(temperature, lo, hi).slope);
+        }
+}
+
+TEST(Planck, TemperatureIsFoundAgain) {
+    for (const auto& [lo, hi] : bands)
+        for (double temperature = 150; temperature <= 3000; temperature *= 1.013)
+            EXPECT_NEAR(band_temperature(band_radiance(temperature, lo, hi), lo, hi), temperature, 1e-8)
+                << lo << ".." << hi << " um";
+    for (const double temperature : {3.0, 20.0, 5772.0, 9e4})
+        EXPECT_NEAR(band_temperature(band_radiance(temperature, 8, 12), 8, 12) / temperature, 1, 1e-10);
+}
+
+TEST(Planck, RefusesRadiancesWithoutTemperature) {
+    for (const double radiance : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e12})
+        EXPECT_THROW(band_temperature(radiance, 8, 12), Error) << radiance;
+    EXPECT_THROW(band_temperature(1, 12, 8), Error);
+    EXPECT_THROW(band_radiance_slope(-3, 8, 12), Error);
+    try {
+        band_temperature(1e12, 8, 12);
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "no temperature from 1 to 100000 K has the radiance 1e+12 (is it in W.m-2.sr-1 over the "
+                     "band?)");
+    }
+}
+
 TEST(Planck, RefusesWhatIsNoTemperatureOrBand) {
     for (const double temperature : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
         EXPECT_THROW(band_radiance(temperature, 8, 12), Error) << temperature;

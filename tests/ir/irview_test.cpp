@@ -83,8 +83,7 @@ TEST_F(Irview, RefusesInOneLineAndWritesNothing) {
         {"-o out.png -b 0 ramp.exr", "-b"},
         {"-o out.png -region 0 0 41 2 x ramp.exr", "not within the picture"},
         {"-o out.png -region 0 0 4 x ramp.exr", "-region"},
-        {"-o out.png -K ramp.exr", "apparent temperatures are not built yet"},
-        {"-o out.png -palette grey ramp.exr", "one palette"},
+        {"-o out.png -palette jet ramp.exr", "there is no palette \"jet\" (there are inferno, "},
         {"-o nowhere/out.png ramp.exr", "nowhere/out.png"},
     };
     for (const auto& [arguments, expected] : cases) {
