@@ -1,6 +1,8 @@
 #include "scene/byte_reader.h"
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 
 #include "common/error.h"
 
@@ -18,7 +20,10 @@ bool ByteReader::refill() {
 
 void ByteReader::fail(const std::string& message) const { throw Error(Location{name_}, message); }
 void ByteReader::fail_damaged(const std::string& what) const { fail("damaged " + kind_ + ": " + what); }
-int ByteReader::fail_truncated() const { fail("truncated " + kind_); }
+int ByteReader::fail_truncated() const {
+    if (std::ferror(file_)) fail(std::string("cannot be read: ") + std::strerror(errno));
+    fail("truncated " + kind_);
+}
 
 std::int64_t ByteReader::integer(int size) {
     std::uint64_t bits = static_cast<std::uint64_t>(static_cast<std::int8_t>(byte()));

@@ -92,7 +92,8 @@ int run_on_data(char** command, const std::vector<std::string>& words, Dimension
 bool print_file(const std::string& path, Dimensions dimensions) {
     std::FILE* const file = std::fopen(path.c_str(), "rb");
     if (file == nullptr) {
-        std::fprintf(stderr, "getinfo: %s: cannot open: %s\n", path.c_str(), std::strerror(errno));
+        const char* const why = std::strerror(errno);
+        std::fprintf(stderr, "getinfo: %s: cannot open: %s\n", one_line(path).c_str(), why);
         return false;
     }
     const auto header = read_info_header(file);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "scene/cell_overlap.h"
 #include "scene/surface_geometry.h"
@@ -61,6 +62,7 @@ class Builder {
     const WarningSink& warn_;
     std::vector<Member> members_;  // of the cells on the way from the root, the current one's last
     std::vector<PrimitiveId> set_;
+    bool warned_ = false;
 };
 
 /// The new members of the cell are members_[begin..]; `fruitless` divisions have not made them fewer.
@@ -103,10 +105,9 @@ OctreeNode Builder::make_leaf(std::size_t begin) {
     for (std::size_t i = begin; i < members_.size(); ++i) set_.push_back(members_[i].id);
     if (set_.size() > Octree::largest_set) {
         const PrimitiveId lost = set_[Octree::largest_set];
-        warn_(scene_
-                  .error(lost, "left out of a cell that holds " + std::to_string(Octree::largest_set) +
-                                   " surfaces already")
-                  .what());
+        const std::string what =
+            "left out of a cell that holds " + std::to_string(Octree::largest_set) + " surfaces already";
+        if (!std::exchange(warned_, true)) warn_(scene_.error(lost, what, "others may be too").what());
         set_.resize(Octree::largest_set);
     }
     return tree_.add_leaf(set_);

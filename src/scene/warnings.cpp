@@ -2,11 +2,13 @@
 
 #include <cstdio>
 
+#include "common/error.h"
+
 namespace infra {
 
 WarningSink print_warnings(std::string program) {
     return [program = std::move(program)](std::string_view text) {
-        std::fprintf(stderr, "%s: warning - %.*s\n", program.c_str(), int(text.size()), text.data());
+        std::fprintf(stderr, "%s: warning - %s\n", program.c_str(), one_line(text).c_str());
     };
 }
 

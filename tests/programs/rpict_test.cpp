@@ -179,10 +179,11 @@ TEST_F(Rpict, leaves_no_picture_behind_when_it_is_stopped) {
     // The first report tells that rays are being traced. A background command of a shell ignores SIGINT; env
     // undoes it.
     const auto stop = [&](const std::string& signal, const std::string& output) {
-        return test::run(
-            folder, "env --default-signal=INT rpict -t 1000 -ab 5 -ad 4096 -ps 1 -x 2000 -y 2000 -z z.zbf " +
-                        output + " 2> log & while ! grep -q rays log; do sleep .02; done; kill -" + signal +
-                        " $!; wait $!");
+        return test::run(folder,
+                         "rm -f log; env --default-signal=INT rpict -t 1000 -ab 5 -ad 4096 -ps 1 -x 2000 -y "
+                         "2000 -z z.zbf " +
+                             output + " 2> log & while ! grep -q rays log; do sleep .02; done; kill -" +
+                             signal + " $!; wait $!");
     };
     for (const char* signal : {"TERM", "INT"}) {
         EXPECT_EQ(stop(signal, "-o p.hdr scene.oct").status, 3);

@@ -52,7 +52,7 @@ void Output::finish() {
     std::fwrite(buffer_.data(), 1, buffer_.size(), file_);
     buffer_.clear();
     if (std::fflush(file_) != 0 || std::ferror(file_))
-        throw Error("cannot write the output: is the device full?");
+        throw Error("cannot write the output", "is the device full?", Severity::system);
 }
 
 }  // namespace infra::xform
