@@ -15,4 +15,6 @@ add_compile_options(-ffp-contract=off)
 if(INFRADIANCE_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
+    # Instrumented code confuses g++ 12 about std::variant and std::optional.
+    add_compile_options(-Wno-maybe-uninitialized)
 endif()

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <numbers>
 
-#include "common/error.h"
+#include "common/atomic_file.h"
 
 namespace infra {
 namespace {
@@ -54,24 +53,22 @@ BrdfFunction phong_lobe(double diffuse, double specular, double exponent) {
 }
 
 void write_table(const std::string& path, const BrdfGrid& grid, std::string_view comment) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "w"), std::fclose);
-    if (!file) throw Error(Location{path}, "cannot write BRDF table");
+    AtomicFile file(path);
     for (std::string_view rest = comment; !rest.empty();) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
-        std::fprintf(file.get(), "# %.*s\n", static_cast<int>(end), rest.data());
+        std::fprintf(file.stream(), "# %.*s\n", static_cast<int>(end), rest.data());
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
-    if (grid.phi_origin != 0) std::fputs("#% mirror 0\n", file.get());
+    if (grid.phi_origin != 0) std::fputs("#% mirror 0\n", file.stream());
     const float smallest = *std::min_element(grid.values.begin(), grid.values.end());
-    std::fprintf(file.get(), "%d %d %d\n%.9g\n", grid.theta_i_count, grid.phi_count, grid.theta_r_count,
+    std::fprintf(file.stream(), "%d %d %d\n%.9g\n", grid.theta_i_count, grid.phi_count, grid.theta_r_count,
                  pi * static_cast<double>(smallest));
     int column = 0;
     for (const float f : grid.values) {
         column = column + 1 == grid.theta_r_count ? 0 : column + 1;
-        std::fprintf(file.get(), "%.9g%c", static_cast<double>(f), column == 0 ? '\n' : ' ');
+        std::fprintf(file.stream(), "%.9g%c", static_cast<double>(f), column == 0 ? '\n' : ' ');
     }
-    if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0)
-        throw Error(Location{path}, "cannot write BRDF table", "is the disk full?", Severity::system);
+    file.commit();
 }
 
 }  // namespace infra

@@ -132,6 +132,7 @@ void Tracer::shade(Interaction& at) {
 }
 
 bool Tracer::shade_chain(const Modifier* chain, Interaction& at) {
+    if (stack_is_used_up()) return true;  // materials within materials, thousands deep
     at.direct_distance = at.distance;
     const bool irradiance_here = settings_.irradiance && !(at.ray->lineage & ~(primary_ray | through_ray));
     for (; chain; chain = chain->next()) {
