@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t longest_header = 1 << 22;  // bytes
 constexpr int most_pixels_a_side = 1 << 20;
+constexpr long long longest_scanline = 1 << 26;  // bytes
 constexpr int most_channels = 4096;
 constexpr long long most_values = 1LL << 30;
 
@@ -38,6 +39,8 @@ class HdrReader {
         if (1LL * size.width * size.height > most_values / picture.channels)
             fail("bad picture: it is larger than we can hold");
         const int length = size.scanline_length(), count = size.scanline_count();
+        if (1LL * length * (picture.channels + 1) > longest_scanline)
+            fail("bad picture: its scanlines are longer than we can hold");
         std::vector<float> scans;  // grows with what the file really holds
         std::vector<std::uint8_t> bytes(std::size_t(length) * (picture.channels + 1));
         for (scanline_ = 0; scanline_ < count; ++scanline_) {

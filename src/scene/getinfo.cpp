@@ -88,7 +88,7 @@ int run_on_data(char** command, const std::vector<std::string>& words, Dimension
     throw Error(std::string("cannot run ") + command[0] + ": " + std::strerror(errno));
 }
 
-/// Prints one file under its name; false if it cannot be opened.
+/// Prints one file under its name; false if it cannot be read, so that the others get their turn.
 bool print_file(const std::string& path, Dimensions dimensions) {
     std::FILE* const file = std::fopen(path.c_str(), "rb");
     if (file == nullptr) {
@@ -99,7 +99,9 @@ bool print_file(const std::string& path, Dimensions dimensions) {
     const auto header = read_info_header(file);
     if (!header) {
         std::fclose(file);
-        throw Error(Location{path}, "bad header", "is it a picture, octree or mesh?");
+        std::fprintf(stderr, "getinfo: %s: bad header (is it a picture, octree or mesh?)\n",
+                     one_line(path).c_str());
+        return false;
     }
     if (dimensions == Dimensions::only) {
         std::printf("%s: %s\n", path.c_str(), dimensions_of(file).c_str());

@@ -1,5 +1,7 @@
 #include "rt/programs/rpict.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -52,8 +54,11 @@ PictureHeader picture_header(const std::vector<std::string>& first_lines, const 
 }
 
 /// Fails now rather than after hours of work if a file cannot be written.
+/// Before hours of work, not after. Pipes and devices are left alone: opening them has consequences.
 void check_writable(const std::string& path) {
-    if (!path.empty()) AtomicFile probe(path);
+    struct stat status {};
+    const bool exists = stat(path.c_str(), &status) == 0;
+    if (!path.empty() && (!exists || S_ISREG(status.st_mode))) AtomicFile probe(path);
 }
 
 void write_depth(const std::string& path, const std::vector<float>& depth) {
