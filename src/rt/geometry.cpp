@@ -75,9 +75,8 @@ bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
 }
 
 bool Geometry::add_polygon(std::span<const double> vertices, int surface) {
-    std::size_t count = vertices.size() / 3;
-    if (count > 3 && length(vec(vertices, 0) - vec(vertices, 3 * (count - 1))) <= same_place) --count;
-    vertices = vertices.first(3 * count);
+    vertices = distinct_vertices(vertices);
+    const std::size_t count = vertices.size() / 3;
     const PolygonPlane plane = polygon_plane(vertices);
     if (plane.area == 0) return false;
     Bounds box;

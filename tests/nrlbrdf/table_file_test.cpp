@@ -1,12 +1,12 @@
 #include "nrlbrdf/table_file.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <cstdio>
 #include <numbers>
 
 #include "common/error.h"
+#include "common/test_files.h"
 #include "nrlbrdf/models.h"
 
 namespace infra {
@@ -17,18 +17,8 @@ constexpr double pi = std::numbers::pi;
 /// A name in a fresh temporary folder; both are gone afterwards.
 class TemporaryFile {
   public:
-    TemporaryFile() {
-        char folder[] = "/tmp/nrlbrdf_test_XXXXXX";
-        folder_ = mkdtemp(folder);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        std::remove(path().c_str());
-        std::remove(folder_.c_str());
-    }
-    const std::string& folder() const { return folder_; }
-    std::string path() const { return folder_ + "/table.brdf"; }
+    std::string folder() const { return folder_ / ""; }
+    std::string path() const { return folder_ / "table.brdf"; }
     void write(const std::string& text) const {
         std::FILE* file = std::fopen(path().c_str(), "w");
         std::fputs(text.c_str(), file);
@@ -36,7 +26,7 @@ class TemporaryFile {
     }
 
   private:
-    std::string folder_;
+    test::TemporaryFolder folder_;
 };
 
 struct Malformed {

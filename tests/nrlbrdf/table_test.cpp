@@ -1,13 +1,13 @@
 #include "nrlbrdf/table.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <cstdio>
 #include <numbers>
 #include <random>
 #include <string>
 
+#include "common/test_files.h"
 #include "nrlbrdf/models.h"
 #include "nrlbrdf/table_file.h"
 #include "tables.h"
@@ -163,15 +163,12 @@ TEST(Table, PhiAndMirrorDirectivesAreTheSameBrdf) {
 }
 
 TEST(PanelTable, ReflectsOneAtEveryAngleAndItsLobeStaysOnTheMirrorSide) {
-    char folder[] = "/tmp/nrlbrdf_test_XXXXXX";
-    ASSERT_NE(mkdtemp(folder), nullptr);
-    const std::string path = std::string(folder) + "/panel.brdf";
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "panel.brdf";
     ASSERT_EQ(
         std::system(("python3 " INFRA_SOURCE_DIR "/scenes/validation/panels/make_brdf.py " + path).c_str()),
         0);
     const LoadedTable loaded = load_table(path);
-    std::remove(path.c_str());
-    std::remove(folder);
     EXPECT_TRUE(loaded.warnings.empty());
     const BrdfTable& table = *loaded.table;
     EXPECT_NEAR(table.diffuse_reflectance(), 0.86, 1e-7);

@@ -2,6 +2,13 @@
 
 namespace infra {
 
+std::span<const double> distinct_vertices(std::span<const double> vertices) {
+    const std::size_t count = vertices.size() / 3;
+    const auto* last = vertices.data() + 3 * (count - 1);
+    const Vec3 gap{vertices[0] - last[0], vertices[1] - last[1], vertices[2] - last[2]};
+    return vertices.first(3 * (count > 3 && length(gap) <= same_place ? count - 1 : count));
+}
+
 PolygonPlane polygon_plane(std::span<const double> vertices) {
     const std::size_t count = vertices.size() / 3;
     const auto vertex = [&](std::size_t i) {

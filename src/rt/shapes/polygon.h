@@ -16,6 +16,9 @@ struct PolygonPlane {
     double area = 0;    ///< 0: a polygon that no ray can meet
 };
 
+/// The vertices without a last one that repeats the first.
+std::span<const double> distinct_vertices(std::span<const double> vertices);
+
 /// Averages a polygon that is not quite flat. vertices: three numbers each, the last may repeat the first.
 PolygonPlane polygon_plane(std::span<const double> vertices);
 

@@ -29,10 +29,8 @@ double distance_to_line(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 void set_polygon(const Scene& scene, PrimitiveId id, LightSource& source,
                  std::vector<std::string>& warnings) {
-    auto numbers = scene.reals(id);
-    std::size_t count = numbers.size() / 3;
-    if (count > 3 && length(vec(numbers, 0) - vec(numbers, 3 * (count - 1))) <= same_place) --count;
-    numbers = numbers.first(3 * count);
+    const auto numbers = distinct_vertices(scene.reals(id));
+    const std::size_t count = numbers.size() / 3;
     const PolygonPlane plane = polygon_plane(numbers);
     if (plane.area == 0) throw scene.error(id, "light source has no area");
     source.extent = LightSource::Extent::flat;
