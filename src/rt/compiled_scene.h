@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cal/program.h"
+#include "common/channels.h"
 #include "rt/geometry.h"
 #include "rt/modifier.h"
 #include "rt/settings.h"
@@ -29,10 +30,13 @@ class CompiledScene {
     ///   throws       Error for wrong arguments, undefined names, missing files, types whose shading is not
     ///   built yet
     static std::shared_ptr<const CompiledScene> compile(Scene scene, const RenderSettings& settings,
-                                                        int channels,
+                                                        const Channels& channels,
                                                         const std::vector<FunctionDefinition>& definitions);
 
-    int channels() const { return channels_; }
+    const Channels& channels() const { return channels_; }
+    int channel_count() const { return channels_.count(); }
+    /// -av: radiance assumed where the bounces end.
+    const Spectrum& ambient_value() const { return ambient_value_; }
     const Scene& text() const { return text_; }
     const Geometry& geometry() const { return geometry_; }
     const cal::Program& program() const { return *program_; }
@@ -63,7 +67,8 @@ class CompiledScene {
     CompiledScene(const CompiledScene&) = delete;
     CompiledScene& operator=(const CompiledScene&) = delete;
 
-    int channels_ = 3;
+    Channels channels_;
+    Spectrum ambient_value_{3};
     Scene text_;
     std::vector<std::unique_ptr<Modifier>> modifiers_;
     std::unique_ptr<Modifier> irradiance_material_;

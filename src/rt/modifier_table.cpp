@@ -50,10 +50,7 @@ std::vector<std::string_view> referenced_modifiers(const Scene& scene, Primitive
 
 Spectrum ModifierContext::color(std::size_t first) const {
     const auto numbers = reals();
-    Spectrum result(channels);
-    for (int c = 0; c < 3; ++c)
-        result.set(c, static_cast<float>(numbers[first + static_cast<std::size_t>(c)]));
-    return result;
+    return channels.from_rgb(numbers[first], numbers[first + 1], numbers[first + 2]);
 }
 
 const Modifier* ModifierContext::modifier_named(std::string_view modifier) const {

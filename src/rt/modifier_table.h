@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cal/library.h"
-#include "common/spectrum.h"
+#include "common/channels.h"
 #include "rt/modifier.h"
 #include "rt/settings.h"
 #include "scene/scene.h"
@@ -24,7 +24,7 @@ class ModifierContext {
     const Scene& scene;
     PrimitiveId id;        ///< whose arguments to read; their number has been checked
     const Modifier* next;  ///< what modifies it
-    int channels;
+    const Channels& channels;
     const RenderSettings& settings;
     cal::Library& functions;
     TableCache& tables;
@@ -34,7 +34,7 @@ class ModifierContext {
     std::string_view name() const { return scene.name(id); }
     std::span<const double> reals() const { return scene.reals(id); }
     std::span<const std::string_view> strings() const { return scene.strings(id); }
-    /// Red, green and blue arguments from `first` on, as a spectrum.
+    /// Red, green and blue arguments from `first` on, given to all channels.
     Spectrum color(std::size_t first) const;
     /// The modifier that a string argument names: nullptr for void.
     const Modifier* modifier_named(std::string_view name) const;

@@ -36,7 +36,9 @@ class SceneCompiler {
         out_.text_.release_geometry_arguments();
         out_.geometry_.build();
         out_.program_ = std::make_unique<cal::Program>(functions_.link());
-        WardParameters white{Spectrum(out_.channels_, 3.14159265358979f)};
+        WardParameters white{Spectrum(out_.channel_count(), 3.14159265358979f)};
+        const float* ambient = settings_.ambient_value;
+        out_.ambient_value_ = out_.channels_.from_rgb(ambient[0], ambient[1], ambient[2]);
         out_.irradiance_material_ = std::make_unique<WardMaterial>("Lambertian", nullptr, white, false);
     }
 
@@ -190,7 +192,7 @@ class SceneCompiler {
 };
 
 std::shared_ptr<const CompiledScene> CompiledScene::compile(
-    Scene scene, const RenderSettings& settings, int channels,
+    Scene scene, const RenderSettings& settings, const Channels& channels,
     const std::vector<FunctionDefinition>& definitions) {
     if (settings.max_reflections <= 0 && settings.min_weight <= 0)
         throw Error("-lr below 1 needs a -lw above 0", "Russian roulette ends rays lighter than -lw");

@@ -30,7 +30,7 @@ Tracer::Tracer(const CompiledScene& scene, const RenderSettings& settings, std::
 Tracer::~Tracer() = default;
 
 Ray Tracer::primary(const Vec3& origin, const Vec3& direction, double max_distance) const {
-    Ray ray(scene_.channels());
+    Ray ray(scene_.channel_count());
     ray.origin = origin;
     ray.direction = direction;
     ray.max_distance = max_distance;

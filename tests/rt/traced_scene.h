@@ -61,7 +61,7 @@ struct RaySpec {
 
 class TracedScene {
   public:
-    explicit TracedScene(std::string_view rad, const RenderSettings& settings = {}, int channels = 3)
+    explicit TracedScene(std::string_view rad, const RenderSettings& settings = {}, const Channels& channels = {})
         : settings_(settings) {
         Scene scene;
         read_rad_text(scene, rad, "test.rad", no_warnings());

@@ -101,9 +101,7 @@ void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool o
             return;
         }
     }
-    Spectrum assumed(at.channels());
-    for (int c = 0; c < at.channels(); ++c) assumed.set(c, settings_.ambient_value[c < 3 ? c : 2]);
-    at.radiance.add_product(assumed, coefficient);
+    at.radiance.add_product(scene_.ambient_value(), coefficient);
 }
 
 bool Tracer::spawn_ambient(Hemisphere& half, const Interaction& at) {

@@ -8,6 +8,7 @@
 // source: RADIANCE reference manual, "Patterns".
 #include "rt/functions.h"
 #include "rt/modifier_table.h"
+#include "rt/tracer.h"
 
 namespace infra {
 namespace {
@@ -20,9 +21,7 @@ class ColorFunc final : public Modifier {
     bool shade(Tracer& tracer, Interaction& at) const override {
         double rgb[3];
         if (!color_.evaluate(tracer, at, rgb)) return false;
-        Spectrum factor(at.channels());
-        for (int c = 0; c < 3; ++c) factor.set(c, static_cast<float>(rgb[c]));
-        at.pattern *= factor;
+        at.pattern *= tracer.scene().channels().from_rgb(rgb[0], rgb[1], rgb[2]);
         return false;
     }
 

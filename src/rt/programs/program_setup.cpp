@@ -10,18 +10,12 @@
 #include "scene/octree_file.h"
 
 namespace infra {
-namespace {
-
-constexpr int rgb_channels = 3;
-
-}  // namespace
-
 LoadedScene load_scene(const std::string& octree, const RenderOptions& options, const WarningSink& warn) {
     OctreeFile file = load_octree(octree, warn);
     LoadedScene loaded;
     loaded.header = std::move(file.header);
-    loaded.scene =
-        CompiledScene::compile(std::move(file.scene), options.settings, rgb_channels, options.definitions);
+    loaded.scene = CompiledScene::compile(std::move(file.scene), options.settings, options.channels(),
+                                          options.definitions);
     return loaded;
 }
 

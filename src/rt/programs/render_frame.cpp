@@ -7,14 +7,14 @@
 namespace infra {
 namespace {
 
-Frame empty_frame(const FrameOptions& options, int channels) {
+Frame empty_frame(const FrameOptions& options, const Channels& channels) {
     Frame frame;
     const std::size_t pixels = static_cast<std::size_t>(options.width) * options.height;
     frame.picture.width = options.width;
     frame.picture.height = options.height;
-    frame.picture.channels = channels;
-    frame.picture.space = channels == 3 ? ColorSpace::rgb : ColorSpace::spectrum;
-    frame.picture.pixels.resize(pixels * channels);
+    frame.picture.channels = channels.count();
+    frame.picture.space = channels.is_rgb() ? ColorSpace::rgb : ColorSpace::spectrum;
+    frame.picture.pixels.resize(pixels * channels.count());
     if (options.want_depth) frame.depth.resize(pixels);
     return frame;
 }

@@ -1,5 +1,7 @@
 #include "rt/programs/render_options.h"
 
+#include <algorithm>
+
 #include "common/format.h"
 #include "common/raypath.h"
 #include "common/text_file.h"
@@ -68,6 +70,18 @@ void add_mist_rows(OptionTable& table) {
     add_zero_option(table, "-ms", "f", "-ms 0.000000", "mist sampling distance", reason);
 }
 
+void add_channel_rows(OptionTable& table, RenderOptions& options) {
+    table.integer("-cs", &options.channel_count, "number of spectral bins").at_least(Channels::fewest);
+    table
+        .custom(
+            "-cw", "ff",
+            [&options](const OptionValues& given) {
+                for (int i = 0; i < 2; ++i) options.wavelength_ends[i] = given.real(i);
+            },
+            "wavelength limits (nm)")
+        .named("nmA nmB");
+}
+
 void add_limit_rows(OptionTable& table, RenderSettings& settings) {
     constexpr double fewest = -1e6;  // its negative is a count too
     table.integer("-lr", &settings.max_reflections, "limit reflection").at_least(fewest).remark([&settings] {
@@ -103,26 +117,28 @@ void add_definition_rows(OptionTable& table, RenderOptions& options) {
 
 void add_refused_rows(OptionTable& table) {
     const std::string photons = "photon maps are not built yet";
-    const std::string spectra = "only three channels are built yet";
     const std::string persistence = "persistent processes are not built yet";
     table.unsupported("-ap", "s", photons);
     table.unsupported("-am", "f", photons);
     table.unsupported("-ac", "i", photons);
     table.unsupported("-aC", "i", photons);
     table.unsupported("-af", "s", "there is no cache of indirect light to keep in a file yet");
-    table.custom(
-        "-cs", "i",
-        [spectra](const OptionValues& given) {
-            if (given.integer(0) != 3) given.reject("number of channels is not supported", spectra);
-        },
-        "number of channels, 3");
-    table.unsupported("-cw", "ff", spectra);
     table.unsupported("-P", "s", persistence);
     table.unsupported("-PP", "s", persistence);
     table.unsupported("-features", "", "-help lists what there is");
 }
 
 }  // namespace
+
+Channels RenderOptions::channels() const {
+    const bool given = wavelength_ends[0] != 0 || wavelength_ends[1] != 0;
+    if (!given && channel_count == 3) return {};
+    const double nm_a = given ? wavelength_ends[0] : Channels::blue_limit_nm;
+    const double nm_b = given ? wavelength_ends[1] : Channels::red_limit_nm;
+    const Channels spectral =
+        Channels::spectral(std::min(channel_count, Channels::most), nm_a, nm_b);  // as RADIANCE
+    return channel_count == 3 && spectral.shows_colors() ? Channels() : spectral;
+}
 
 RenderOptions rpict_defaults() { return {}; }
 
@@ -159,6 +175,7 @@ void add_render_options(OptionTable& table, RenderOptions& options) {
     table.real("-st", &settings.specular_threshold, "specular threshold");
     add_ambient_rows(table, options);
     add_mist_rows(table);
+    add_channel_rows(table, options);
     add_limit_rows(table, settings);
     add_definition_rows(table, options);
     add_refused_rows(table);

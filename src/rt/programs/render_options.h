@@ -15,6 +15,11 @@ struct RenderOptions {
     std::vector<FunctionDefinition> definitions;  ///< -e, -f, in order
     std::string error_file;                       ///< -e without a definition: stderr goes there
     bool warnings = true;                         ///< -w
+    int channel_count = 3;                        ///< -cs
+    double wavelength_ends[2] = {0, 0};           ///< -cw, nm; 0: not given
+
+    /// What -cs and -cw ask for. throws Error as Channels::spectral.
+    Channels channels() const;
 
     // Accepted so that RADIANCE's option files work. They steer the indirect cache, the virtual sources and
     // the choice of random sequence, none of which exists here: every hemisphere is computed, as with -aa 0.

@@ -42,7 +42,7 @@ int rtrace(int argc, char** argv) {
     std::string opening;
     if (options.header)
         opening = header_text(header_lines(loaded.header, table.command_line()), options,
-                              spec.components(loaded.scene->channels()));
+                              spec.components(loaded.scene->channel_count()));
     if (options.width > 0 && options.height > 0)
         opening += formatted("-Y %8d +X %8d\n", options.height, options.width);
     std::fwrite(opening.data(), 1, opening.size(), stdout);
