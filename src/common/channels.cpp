@@ -9,8 +9,7 @@
 namespace infra {
 namespace {
 
-constexpr double red_from_nm = 588, green_from_nm = 480;  // RADIANCE's limits between the primaries
-constexpr double red_peak_nm = 607, blue_peak_nm = 469;   // a range within these shows less than three
+constexpr double red_peak_nm = 607, blue_peak_nm = 469;  // a range within these shows less than three
 
 }  // namespace
 
@@ -32,7 +31,7 @@ bool Channels::shows_colors() const { return shortest_ < blue_peak_nm && longest
 
 int Channels::primary_of(int c) const {
     if (count_ == 3) return c;
-    if (!shows_colors()) return c * 3 / count_;
+    if (!shows_colors()) return 3 * (2 * c + 1) / (2 * count_);  // by the middle of the channel
     const double center = center_nm(c);
     return center >= red_from_nm ? 0 : center >= green_from_nm ? 1 : 2;
 }

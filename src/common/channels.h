@@ -19,6 +19,8 @@ class Channels {
     static constexpr int most = Spectrum::max_channels;
     static constexpr double red_limit_nm = 780;  ///< of the range when none is given
     static constexpr double blue_limit_nm = 380;
+    static constexpr double red_from_nm = 588;  ///< where green ends, RADIANCE's choice
+    static constexpr double green_from_nm = 480;
 
     /// Red, green and blue: no wavelengths but those of the visible range.
     Channels() = default;
@@ -41,7 +43,7 @@ class Channels {
     double center_nm(int c) const { return 0.5 * (upper_nm(c) + lower_nm(c)); }
 
     /// Which of red (0), green (1) and blue (2) an RGB triple gives to channel c: above 588 nm, above 480 nm
-    /// and below, as RADIANCE; a third of the channels each when the range does not reach all three.
+    /// and below, as RADIANCE; a third of a range that does not reach all three. The channel's middle counts.
     int primary_of(int c) const;
     Spectrum from_rgb(double red, double green, double blue) const;
 

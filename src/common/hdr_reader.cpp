@@ -7,6 +7,7 @@
 #include "common/parse_number.h"
 #include "common/picture.h"
 #include "common/rgbe.h"
+#include "common/spectral_header.h"
 
 namespace infra {
 namespace {
@@ -102,6 +103,7 @@ class HdrReader {
             if (!parse_int(count, picture.channels) || picture.channels < 3 ||
                 picture.channels > most_channels)
                 fail("bad picture: a spectral one needs NCOMP= and a number from 3 to 4096");
+            picture.bands = channels_of(picture.header, picture.channels);
         } else if (format != "32-bit_rle_rgbe") {
             fail("unknown picture format \"" + format + "\"",
                  "known are 32-bit_rle_rgbe, 32-bit_rle_xyze and Radiance_spectra");

@@ -1,12 +1,14 @@
 // Writing RADIANCE pictures, scanline by scanline.
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <string>
 
 #include "common/atomic_file.h"
 #include "common/error.h"
 #include "common/picture.h"
 #include "common/rgbe.h"
+#include "common/spectral_header.h"
 
 namespace infra {
 namespace {
@@ -61,6 +63,24 @@ void encode(std::vector<std::uint8_t>& out, const std::uint8_t* bytes, int count
     }
 }
 
+const char* format_name(ColorSpace space) {
+    switch (space) {
+        case ColorSpace::xyz:
+            return "32-bit_rle_xyze";
+        case ColorSpace::spectrum:
+            return "Radiance_spectra";
+        case ColorSpace::rgb:
+            break;
+    }
+    return "32-bit_rle_rgbe";
+}
+
+bool fits_hdr(const Picture& picture) {
+    return picture.bands || picture.channels == 3 || picture.channels == 1;
+}
+constexpr const char* misfit = "an .hdr picture has 1 or 3 channels, or bands of wavelengths";
+constexpr const char* misfit_hint = "write .exr instead";
+
 void put(std::FILE* file, const void* bytes, std::size_t count) {
     if (std::fwrite(bytes, 1, count, file) != count)
         throw Error(std::string("cannot write picture: ") + std::strerror(errno), {}, Severity::system);
@@ -68,39 +88,42 @@ void put(std::FILE* file, const void* bytes, std::size_t count) {
 
 }  // namespace
 
-HdrWriter::HdrWriter(std::FILE* file, const PictureHeader& header, int width, int height, ColorSpace space)
-    : file_(file), width_(width), rows_left_(height) {
+HdrWriter::HdrWriter(std::FILE* file, const PictureHeader& header, int width, int height, ColorSpace space,
+                     int channels)
+    : file_(file), width_(width), rows_left_(height), channels_(channels) {
     if (width < 1 || height < 1) throw Error("a picture needs at least one pixel");
     std::string text = "#?RADIANCE\n";
     for (const std::string& line : header.lines) text += line + "\n";
-    text += space == ColorSpace::xyz ? "FORMAT=32-bit_rle_xyze\n\n" : "FORMAT=32-bit_rle_rgbe\n\n";
+    text += std::string("FORMAT=") + format_name(space) + "\n\n";
     char resolution[64];
     std::snprintf(resolution, sizeof resolution, "-Y %8d +X %8d\n", height, width);
     text += resolution;
     put(file_, text.data(), text.size());
 }
 
-void HdrWriter::write_scanline(std::span<const float> rgb) {
-    if (rows_left_ <= 0 || rgb.size() != std::size_t(width_) * 3)
+void HdrWriter::write_scanline(std::span<const float> values) {
+    const std::size_t pixel_bytes = static_cast<std::size_t>(channels_) + 1;
+    if (rows_left_ <= 0 || values.size() != std::size_t(width_) * channels_)
         throw Error("scanline does not fit the picture", {}, Severity::internal);
     --rows_left_;
-    buffer_.clear();
-    if (width_ < shortest_coded || width_ > longest_coded) {
-        for (std::size_t i = 0; i < rgb.size(); i += 3) {
-            const Rgbe pixel = to_rgbe(rgb[i], rgb[i + 1], rgb[i + 2]);
-            buffer_.insert(buffer_.end(), pixel.begin(), pixel.end());
-        }
-    } else {
-        std::array<std::vector<std::uint8_t>, 4> planes;
-        for (auto& plane : planes) plane.resize(width_);
-        for (int x = 0; x < width_; ++x) {
-            const Rgbe pixel = to_rgbe(rgb[3 * x], rgb[3 * x + 1], rgb[3 * x + 2]);
-            for (int c = 0; c < 4; ++c) planes[c][x] = pixel[c];
-        }
-        buffer_ = {2, 2, static_cast<std::uint8_t>(width_ >> 8), static_cast<std::uint8_t>(width_ & 255)};
-        for (const auto& plane : planes) encode(buffer_, plane.data(), width_);
+    pixels_.resize(width_ * pixel_bytes);
+    for (std::size_t x = 0; x < std::size_t(width_); ++x)
+        to_common_exponent(values.subspan(x * channels_, channels_),
+                           std::span(pixels_).subspan(x * pixel_bytes, pixel_bytes));
+    const bool coded = channels_ == 3 && width_ >= shortest_coded && width_ <= longest_coded;
+    if (coded) encode_scanline();
+    const std::vector<std::uint8_t>& bytes = coded ? buffer_ : pixels_;
+    put(file_, bytes.data(), bytes.size());
+}
+
+/// Run length code of pixels_, in buffer_: one component after the other.
+void HdrWriter::encode_scanline() {
+    buffer_ = {2, 2, static_cast<std::uint8_t>(width_ >> 8), static_cast<std::uint8_t>(width_ & 255)};
+    std::vector<std::uint8_t> plane(width_);
+    for (int c = 0; c < 4; ++c) {
+        for (int x = 0; x < width_; ++x) plane[x] = pixels_[4 * std::size_t(x) + c];
+        encode(buffer_, plane.data(), width_);
     }
-    put(file_, buffer_.data(), buffer_.size());
 }
 
 void HdrWriter::finish() {
@@ -109,20 +132,31 @@ void HdrWriter::finish() {
         throw Error(std::string("cannot write picture: ") + std::strerror(errno), {}, Severity::system);
 }
 
-void write_hdr(const std::string& path, const Picture& picture) {
-    if (picture.channels != 3 && picture.channels != 1)
-        throw Error(Location{path}, "an .hdr picture has 1 or 3 channels", "write .exr instead");
-    AtomicFile file(path);
-    HdrWriter writer(file.stream(), picture.header, picture.width, picture.height, picture.space);
-    std::vector<float> row(std::size_t(picture.width) * 3);
+void write_hdr(std::FILE* file, const Picture& picture) {
+    if (!fits_hdr(picture)) throw Error(misfit, misfit_hint);
+    PictureHeader header = picture.header;
+    if (picture.bands) set_channel_lines(header, *picture.bands);
+    const ColorSpace space = picture.bands                      ? ColorSpace::spectrum
+                             : picture.space == ColorSpace::xyz ? ColorSpace::xyz
+                                                                : ColorSpace::rgb;
+    const int written = std::max(picture.channels, 3);
+    HdrWriter writer(file, header, picture.width, picture.height, space, written);
+    std::vector<float> row(std::size_t(picture.width) * written);
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             const std::span<const float> pixel = picture.at(x, y);
-            for (int c = 0; c < 3; ++c) row[3 * x + c] = pixel[picture.channels == 3 ? c : 0];
+            for (int c = 0; c < written; ++c)
+                row[std::size_t(x) * written + c] = pixel[picture.channels == 1 ? 0 : c];
         }
         writer.write_scanline(row);
     }
     writer.finish();
+}
+
+void write_hdr(const std::string& path, const Picture& picture) {
+    if (!fits_hdr(picture)) throw Error(Location{path}, misfit, misfit_hint);
+    AtomicFile file(path);
+    write_hdr(file.stream(), picture);
     file.commit();
 }
 

@@ -167,6 +167,7 @@ std::string OptionTable::defaults() const {
     for (const OptionRow& row : rows_) {
         if (!row.shown_value) continue;
         const std::string value = row.shown_value();
+        if (value.empty()) continue;
         const std::size_t missing = value.size() < remark_column ? remark_column - value.size() : 1;
         text += value + std::string((missing + 7) / 8, '\t') + "# ";
         text += (row.shown_help ? row.shown_help() : row.help) + "\n";
@@ -195,7 +196,7 @@ std::string OptionTable::help() const {
             const auto words = split_words(row.shown_value());
             std::string value;
             for (const std::string& word : words) value += (value.empty() ? "" : " ") + word;
-            remark += " [" + value + "]";
+            if (!value.empty()) remark += " [" + value + "]";
         }
         add_line(line, remark);
     }

@@ -56,7 +56,7 @@ class OptionRow {
     std::function<std::string()> shown_help;         ///< the remark in -defaults where it is not `help`
     std::optional<double> minimum;                   ///< least number allowed
 
-    /// Writes the option in -defaults by `value` instead of in the usual form.
+    /// Writes the option in -defaults by `value` instead of in the usual form; not while that is empty.
     OptionRow& shown(std::function<std::string()> value);
     /// Writes the remark of -defaults by `remark`, for a text that depends on the value.
     OptionRow& remark(std::function<std::string()> remark);

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/channels.h"
 #include "common/view.h"
 
 namespace infra {
@@ -41,7 +42,8 @@ class PictureHeader {
 /// What the values of a picture mean.
 enum class ColorSpace { rgb, xyz, spectrum };
 
-/// Rows run from the top of the image to its bottom, pixels from left to right, channels are interleaved.
+/// Rows run from the top of the image to its bottom, pixels from left to right, channels are interleaved,
+/// spectral ones from the longest wavelength to the shortest.
 struct Picture {
     int width = 0;
     int height = 0;
@@ -49,6 +51,7 @@ struct Picture {
     ColorSpace space = ColorSpace::rgb;
     std::vector<float> pixels;
     PictureHeader header;
+    std::optional<Channels> bands;  ///< of a spectral picture that tells them
 
     /// The channels of one pixel; column and row count from the upper left corner.
     std::span<const float> at(int column, int row) const {
@@ -63,9 +66,16 @@ struct Picture {
 /// afterwards.
 void undo_exposure(Picture& picture);
 
-/// Reads any picture: .hdr by our reader, others through OpenImageIO. throws Error for missing, malformed or
-/// truncated ones.
+/// Reads any picture: RADIANCE's and OpenEXR by our readers, others through OpenImageIO. throws Error for
+/// missing, malformed or truncated ones.
 Picture read_picture(const std::string& path);
+/// Reads RADIANCE's and OpenEXR only: for renderers, which would start a quarter of a second later if they
+/// were linked with the library for all others.
+Picture read_float_picture(const std::string& path);
+/// Whether a file starts as one of those does. throws Error when it cannot be opened.
+bool is_float_picture(const std::string& path);
+/// Reads OpenEXR: the spectral channels of a file that has some, else R G B or X Y Z without alpha, else all.
+Picture read_exr(const std::string& path);
 /// Reads RADIANCE's format in all its forms: flat, old and new run lengths, rgbe, xyze, spectra, any scanline
 /// order. `name` is for error messages.
 Picture read_hdr(std::FILE* file, const std::string& name);
@@ -73,22 +83,30 @@ Picture read_hdr(std::FILE* file, const std::string& name);
 /// Writes a .hdr picture from top to bottom, one scanline after another, to a stream that stays the caller's.
 class HdrWriter {
   public:
-    /// Writes the header, FORMAT line and resolution. space: rgb or xyz.
+    /// Writes the header, FORMAT line and resolution.
+    ///   channels  more than 3 of a spectrum only; the header of one has its NCOMP and WAVELENGTH_SPLITS
     HdrWriter(std::FILE* file, const PictureHeader& header, int width, int height,
-              ColorSpace space = ColorSpace::rgb);
-    /// rgb: 3 values a pixel, width pixels. throws Error when the device is full or more than `height` are
-    /// written.
-    void write_scanline(std::span<const float> rgb);
+              ColorSpace space = ColorSpace::rgb, int channels = 3);
+    /// values: `channels` a pixel, width pixels. throws Error when the device is full or more than `height`
+    /// are written.
+    void write_scanline(std::span<const float> values);
     /// Flushes and checks that all scanlines were written.
     void finish();
 
   private:
+    void encode_scanline();
+
     std::FILE* file_;
     int width_;
     int rows_left_;
-    std::vector<std::uint8_t> buffer_;
+    int channels_;
+    std::vector<std::uint8_t> pixels_, buffer_;
 };
-/// Writes a whole picture (3 channels, or 1 repeated as grey) atomically.
+/// Writes all of a picture; one channel as grey, one with bands as RADIANCE's spectra, NCOMP and
+/// WAVELENGTH_SPLITS included.
+///   throws  Error for other numbers of channels than 1 and 3 without bands
+void write_hdr(std::FILE* file, const Picture& picture);
+/// The same, atomically.
 void write_hdr(const std::string& path, const Picture& picture);
 
 /// What an OpenEXR file says about itself, as string attributes of the same names; empty ones are left out.
@@ -100,8 +118,13 @@ struct ExrDescription {
     std::string band;      ///< "8-12 um"
     std::string software;  ///< version
 };
-/// Writes 32 bit float channels with ZIP compression, atomically: R G B for three channels, Y for one, C000,
-/// C001... for others. The header's lines go into the attribute "radianceHeader".
+/// Writes 32 bit float channels with ZIP compression, atomically: R G B or X Y Z for three channels, Y for
+/// one, C000, C001... for others. The header's lines go into the attribute "radianceHeader".
+///
+/// A picture with bands has channels named after the middle of each, S0.8250,000nm, and the attributes
+/// spectralLayoutVersion, emissiveUnits (Fichet, Pacanowski, Wilkie, "An OpenEXR Layout for Spectral Images",
+/// JCGT 10 (2021)), bandLimits, all limits of the bands in nm, longest first, and channelValues, what the
+/// value of a channel means.
 void write_exr(const std::string& path, const Picture& picture, const ExrDescription& description);
 
 }  // namespace infra

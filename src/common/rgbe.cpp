@@ -17,12 +17,23 @@ std::uint8_t mantissa(double channel, double scale) {
 }  // namespace
 
 Rgbe to_rgbe(float red, float green, float blue) {
-    const float brightest = std::min(std::fmax(std::fmax(red, green), blue), largest);
-    if (!(brightest > smallest)) return {0, 0, 0, 0};
+    Rgbe pixel;
+    to_common_exponent(std::array{red, green, blue}, pixel);
+    return pixel;
+}
+
+void to_common_exponent(std::span<const float> channels, std::span<std::uint8_t> pixel) {
+    float brightest = 0;
+    for (const float channel : channels) brightest = std::fmax(brightest, channel);
+    brightest = std::min(brightest, largest);
+    if (!(brightest > smallest)) {
+        std::ranges::fill(pixel, std::uint8_t{0});
+        return;
+    }
     int exponent = 0;
     const double scale = std::frexp(double(brightest), &exponent) * 256.0 / brightest;
-    return {mantissa(red, scale), mantissa(green, scale), mantissa(blue, scale),
-            static_cast<std::uint8_t>(exponent + exponent_bias)};
+    for (std::size_t c = 0; c < channels.size(); ++c) pixel[c] = mantissa(channels[c], scale);
+    pixel[channels.size()] = static_cast<std::uint8_t>(exponent + exponent_bias);
 }
 
 float rgbe_factor(std::uint8_t exponent) {

@@ -1,8 +1,9 @@
-// Four-byte pixels: three mantissas and a shared exponent, the numbers of RADIANCE's pictures.
+// Pixels of a mantissa a channel and a shared exponent, a byte each: the numbers of RADIANCE's pictures.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace infra {
 
@@ -13,6 +14,9 @@ using Rgbe = std::array<std::uint8_t, 4>;
 /// below 1e-32 black, and what is beyond 2^127 (infinity too) the largest number. NaN counts as 0: renderers
 /// look for it before.
 Rgbe to_rgbe(float red, float green, float blue);
+/// The same for any number of channels.
+///   pixel  one byte more than there are channels, the exponent last
+void to_common_exponent(std::span<const float> channels, std::span<std::uint8_t> pixel);
 
 /// (mantissa + 1/2) · 2^(exponent-136) a channel, 0 for black.
 std::array<float, 3> from_rgbe(const Rgbe& pixel);

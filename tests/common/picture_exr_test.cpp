@@ -3,6 +3,7 @@
 
 #include "common/image8.h"
 #include "common/picture.h"
+#include "common/text_file.h"
 #include "test_files.h"
 
 namespace infra {
@@ -66,6 +67,47 @@ TEST(Exr, FailuresLeaveNoFile) {
     EXPECT_EQ(error_of([&] { write_exr(folder / "no/p.exr", ramp(2, 2, 3), {}); }),
               "cannot write \"" + (folder / "no/p.exr") + "\": No such file or directory");
     EXPECT_EQ(folder.file_count(), 0u);
+}
+
+TEST(Exr, ReadsHalvesAndLeavesAlphaOut) {
+    const TemporaryFolder folder;
+    OIIO::ImageSpec spec(5, 70, 4, OIIO::TypeDesc::HALF);
+    spec.channelnames = {"R", "G", "B", "A"};
+    std::vector<float> pixels;
+    for (int i = 0; i < 5 * 70; ++i)
+        for (const float value : {0.5f * static_cast<float>(i), 2.0f, -1.0f, 0.25f}) pixels.push_back(value);
+    const auto output = OIIO::ImageOutput::create(folder / "p.exr");
+    ASSERT_TRUE(output && output->open(folder / "p.exr", spec));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close());
+    const Picture read = read_picture(folder / "p.exr");
+    ASSERT_EQ(read.channels, 3);
+    EXPECT_EQ(read.space, ColorSpace::rgb);
+    EXPECT_EQ(read.at(4, 69)[0], 174.5f);
+    EXPECT_EQ(read.at(4, 69)[1], 2.0f);
+    EXPECT_EQ(read.at(0, 66)[2], -1.0f);
+}
+
+TEST(Exr, CutFilesAreRefused) {
+    const TemporaryFolder folder;
+    write_exr(folder / "p.exr", ramp(40, 300, 3), {});
+    const std::string whole = read_text_file(folder / "p.exr");
+    for (const std::size_t kept : {std::size_t{4}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
+        write_file(folder / "cut.exr", whole.substr(0, kept));
+        const std::string error = error_of([&] { read_picture(folder / "cut.exr"); });
+        EXPECT_EQ(error.find((folder / "cut.exr") + ": cannot read picture: "), 0u) << error;
+        EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    }
+}
+
+TEST(FloatPictures, AreRadiancesAndOpenExr) {
+    const TemporaryFolder folder;
+    write_exr(folder / "p.exr", ramp(3, 3, 3), {});
+    write_hdr(folder / "p.hdr", ramp(3, 3, 3));
+    write_png(folder / "p.png", Image8(3, 2));
+    EXPECT_EQ(read_float_picture(folder / "p.exr").width, 3);
+    EXPECT_EQ(read_float_picture(folder / "p.hdr").width, 3);
+    EXPECT_EQ(error_of([&] { read_float_picture(folder / "p.png"); }),
+              (folder / "p.png") + ": cannot read picture: it is neither RADIANCE's nor OpenEXR");
 }
 
 TEST(ForeignPictures, UnreadableOnesGiveOneLine) {

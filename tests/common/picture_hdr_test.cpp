@@ -249,7 +249,8 @@ TEST(Hdr, WriterRefusesWhatDoesNotFit) {
     EXPECT_EQ(error_of([&] {
                   write_hdr(folder / "q.hdr", {.width = 1, .height = 1, .channels = 2, .pixels = {1, 2}});
               }),
-              (folder / "q.hdr") + ": an .hdr picture has 1 or 3 channels (write .exr instead)");
+              (folder / "q.hdr") +
+                  ": an .hdr picture has 1 or 3 channels, or bands of wavelengths (write .exr instead)");
 }
 
 }  // namespace
