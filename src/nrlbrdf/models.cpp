@@ -23,6 +23,8 @@ Vec3 direction(double theta, double azimuth) {
 
 BrdfGrid tabulate(const BrdfFunction& f, const GridCounts& counts) {
     BrdfGrid grid{.theta_i_count = counts.theta_i, .phi_count = counts.phi, .theta_r_count = counts.theta_r};
+    grid.values.reserve(static_cast<std::size_t>(counts.theta_i) * static_cast<std::size_t>(counts.phi) *
+                        static_cast<std::size_t>(counts.theta_r));
     for (int i = 0; i < counts.theta_i; ++i)
         for (int k = 0; k < counts.phi; ++k)
             for (int j = 0; j < counts.theta_r; ++j)
@@ -52,13 +54,15 @@ BrdfFunction phong_lobe(double diffuse, double specular, double exponent) {
     };
 }
 
-void write_table(const std::string& path, const BrdfGrid& grid, std::string_view comment) {
+void write_table(const std::string& path, const BrdfGrid& grid, std::string_view comment,
+                 const std::optional<WavelengthBand>& band) {
     AtomicFile file(path);
     for (std::string_view rest = comment; !rest.empty();) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
         std::fprintf(file.stream(), "# %.*s\n", static_cast<int>(end), rest.data());
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
+    if (band) std::fprintf(file.stream(), "#%% band %.15g %.15g\n", band->lo_um, band->hi_um);
     if (grid.phi_origin != 0) std::fputs("#% mirror 0\n", file.stream());
     const float smallest = *std::min_element(grid.values.begin(), grid.values.end());
     std::fprintf(file.stream(), "%d %d %d\n%.9g\n", grid.theta_i_count, grid.phi_count, grid.theta_r_count,

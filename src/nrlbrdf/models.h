@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "nrlbrdf/table.h"
+#include "nrlbrdf/wavelength_band.h"
 
 namespace infra {
 
@@ -40,8 +42,9 @@ BrdfFunction phong_lobe(double diffuse, double specular, double exponent);
 
 /// Writes a grid (phi_origin 0 or pi) as a .brdf file with the largest D that fits, one number of nine digits
 /// for each value, so that reading it gives the same values bit for bit. `comment`, if any, becomes its first
-/// lines. The file appears whole or not at all.
+/// lines; `band` the wavelengths it states. The file appears whole or not at all.
 ///   throws  infra::Error when the file cannot be written
-void write_table(const std::string& path, const BrdfGrid& grid, std::string_view comment = {});
+void write_table(const std::string& path, const BrdfGrid& grid, std::string_view comment = {},
+                 const std::optional<WavelengthBand>& band = {});
 
 }  // namespace infra

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "common/error.h"
 
@@ -11,25 +12,25 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double half_pi = pi / 2;
 
-/// Azimuth of wo minus that of wi. A viewer at the pole is given azimuth 0, so that phi still varies with wi
-/// and hemispherical integrals hold there too.
-double relative_azimuth(const Vec3& wo, const Vec3& wi) {
-    const bool at_pole = wo.x == 0 && wo.y == 0;
-    const double ox = at_pole ? 1 : wo.x;
-    return std::atan2(wi.x * wo.y - wi.y * ox, wi.x * ox + wi.y * wo.y);
+GridShape shape_of(const BrdfGrid& grid) {
+    return {grid.theta_i_count, grid.phi_count, grid.theta_r_count, grid.phi_origin};
+}
+
+/// A grid's values in the order of its shape.
+std::vector<float> ordered_values(const BrdfGrid& grid) {
+    const GridShape shape = shape_of(grid);
+    if (shape.theta_i_count < 2 || shape.phi_count < 2 || shape.theta_r_count < 2 ||
+        grid.values.size() != shape.size())
+        throw Error("BRDF grid: counts and number of values disagree", {}, Severity::internal);
+    std::vector<float> values(shape.size());
+    auto value = grid.values.begin();
+    for (int i = 0; i < shape.theta_i_count; ++i)
+        for (int k = 0; k < shape.phi_count; ++k)
+            for (int j = 0; j < shape.theta_r_count; ++j) values[shape.index(i, k, j)] = *value++;
+    return values;
 }
 
 }  // namespace
-
-double polar_angle(const Vec3& direction) {
-    return std::atan2(std::sqrt(direction.x * direction.x + direction.y * direction.y), direction.z);
-}
-
-GridPlace polar_place(double theta, int count) {
-    const double position = std::clamp(theta / half_pi, 0.0, 1.0) * (count - 1);
-    const int cell = std::min(static_cast<int>(position), count - 2);
-    return {cell, position - cell};
-}
 
 std::vector<double> polar_weights(int count) {
     // With cos sin = sin(2 theta)/2, whose first and second antiderivatives are -cos(2 theta)/4 and -sin(2
@@ -46,34 +47,24 @@ std::vector<double> polar_weights(int count) {
 }
 
 BrdfTable::BrdfTable(const BrdfGrid& grid)
-    : theta_i_count_(grid.theta_i_count),
-      phi_count_(grid.phi_count),
-      theta_r_count_(grid.theta_r_count),
-      phi_origin_(grid.phi_origin),
-      values_(grid.values.size()) {
-    if (theta_i_count_ < 2 || phi_count_ < 2 || theta_r_count_ < 2 ||
-        values_.size() != static_cast<std::size_t>(theta_i_count_) * static_cast<std::size_t>(phi_count_) *
-                              static_cast<std::size_t>(theta_r_count_))
-        throw Error("BRDF grid: counts and number of values disagree", {}, Severity::internal);
+    : BrdfTable(shape_of(grid), ordered_values(grid),
+                static_cast<double>(*std::ranges::min_element(grid.values))) {}
 
-    auto value = grid.values.begin();
-    for (int i = 0; i < theta_i_count_; ++i)
-        for (int k = 0; k < phi_count_; ++k)
-            for (int j = 0; j < theta_r_count_; ++j) values_[index(i, k, j)] = *value++;
-
-    const auto [smallest, largest] = std::minmax_element(values_.begin(), values_.end());
-    smallest_ = *smallest;
-    diffuse_ = pi * smallest_;
-    lobe_is_zero_ = *smallest == *largest;
-
-    const double phi_step = 2 * pi / phi_count_;
-    const std::vector<double> weights = polar_weights(theta_i_count_);
-    lobe_reflectance_.resize(static_cast<std::size_t>(theta_r_count_));
-    for (int j = 0; j < theta_r_count_; ++j) {
+BrdfTable::BrdfTable(const GridShape& shape, std::vector<float> values, double constant)
+    : shape_(shape),
+      constant_(constant),
+      diffuse_(pi * constant),
+      lobe_is_zero_(static_cast<double>(*std::ranges::max_element(values)) == constant),
+      values_(std::move(values)) {
+    const auto [ni, np, nt, origin] = shape_;
+    const double phi_step = 2 * pi / np;
+    const std::vector<double> weights = polar_weights(ni);
+    lobe_reflectance_.resize(static_cast<std::size_t>(nt));
+    for (int j = 0; j < nt; ++j) {
         double total = 0;
-        for (int i = 0; i < theta_i_count_; ++i) {
+        for (int i = 0; i < ni; ++i) {
             double row = 0;
-            for (int k = 0; k < phi_count_; ++k) row += lobe_node(i, k, j);
+            for (int k = 0; k < np; ++k) row += lobe_node(i, k, j);
             total += row * weights[static_cast<std::size_t>(i)];
         }
         lobe_reflectance_[static_cast<std::size_t>(j)] = total * phi_step;
@@ -81,23 +72,14 @@ BrdfTable::BrdfTable(const BrdfGrid& grid)
 }
 
 double BrdfTable::eval_lobe(double theta_i, double phi, double theta_r) const {
-    const GridPlace i = polar_place(theta_i, theta_i_count_);
-    const GridPlace j = polar_place(theta_r, theta_r_count_);
-    const double turns = (phi - phi_origin_) / (2 * pi);
-    const double position = (turns - std::floor(turns)) * phi_count_;
-    const int k0 = static_cast<int>(position) % phi_count_;  // position may round up to phi_count
-    const int k1 = k0 + 1 == phi_count_ ? 0 : k0 + 1;
-    const double k_fraction = position - std::floor(position);
-
-    const auto row = [&](int i_node, int j_node) {
-        const std::size_t start = index(i_node, 0, j_node);
-        return (1 - k_fraction) * lobe_at(start + static_cast<std::size_t>(k0)) +
-               k_fraction * lobe_at(start + static_cast<std::size_t>(k1));
+    const GridCell c = shape_.cell(theta_i, phi, theta_r);
+    const auto row = [&](std::size_t start) {
+        return (1 - c.k_fraction) * lobe_at(start + c.k0) + c.k_fraction * lobe_at(start + c.k1);
     };
-    const auto column = [&](int j_node) {
-        return (1 - i.fraction) * row(i.cell, j_node) + i.fraction * row(i.cell + 1, j_node);
+    const auto column = [&](std::size_t near, std::size_t far) {
+        return (1 - c.i_fraction) * row(near) + c.i_fraction * row(far);
     };
-    return (1 - j.fraction) * column(j.cell) + j.fraction * column(j.cell + 1);
+    return (1 - c.j_fraction) * column(c.row[0], c.row[1]) + c.j_fraction * column(c.row[2], c.row[3]);
 }
 
 double BrdfTable::eval_lobe(const Vec3& wo, const Vec3& wi) const {
@@ -106,12 +88,12 @@ double BrdfTable::eval_lobe(const Vec3& wo, const Vec3& wi) const {
 }
 
 double BrdfTable::eval(const Vec3& wo, const Vec3& wi) const {
-    return wo.z < 0 || wi.z < 0 ? 0 : smallest_ + eval_lobe(wo, wi);
+    return wo.z < 0 || wi.z < 0 ? 0 : constant_ + eval_lobe(wo, wi);
 }
 
 double BrdfTable::lobe_reflectance_dh(double cos_theta_o) const {
     if (lobe_is_zero_) return 0;
-    const GridPlace j = polar_place(std::acos(std::clamp(cos_theta_o, 0.0, 1.0)), theta_r_count_);
+    const GridPlace j = polar_place(std::acos(std::clamp(cos_theta_o, 0.0, 1.0)), theta_r_count());
     return (1 - j.fraction) * lobe_reflectance_node(j.cell) + j.fraction * lobe_reflectance_node(j.cell + 1);
 }
 
@@ -120,14 +102,14 @@ double BrdfTable::reflectance_dh(double cos_theta_o) const {
 }
 
 double BrdfTable::incident_reflectance(int i) const {
-    const std::vector<double> weights = polar_weights(theta_r_count_);
+    const std::vector<double> weights = polar_weights(theta_r_count());
     double total = 0;
-    for (int j = 0; j < theta_r_count_; ++j) {
+    for (int j = 0; j < theta_r_count(); ++j) {
         double row = 0;
-        for (int k = 0; k < phi_count_; ++k) row += lobe_node(i, k, j);
+        for (int k = 0; k < phi_count(); ++k) row += lobe_node(i, k, j);
         total += row * weights[static_cast<std::size_t>(j)];
     }
-    return diffuse_ + total * (2 * pi / phi_count_);
+    return diffuse_ + total * (2 * pi / phi_count());
 }
 
 }  // namespace infra

@@ -13,9 +13,11 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "common/vec.h"
+#include "nrlbrdf/grid_shape.h"
 
 namespace infra {
 
@@ -38,6 +40,10 @@ class BrdfTable {
     /// Takes a valid grid (read_table_file gives only such ones); throws infra::Error when the sizes do not
     /// match.
     explicit BrdfTable(const BrdfGrid& grid);
+
+    /// The same from values in the order of `shape`, with a given Lambertian part: constant = D/pi [1/sr], at
+    /// most the smallest value.
+    BrdfTable(const GridShape& shape, std::vector<float> values, double constant);
 
     /// f [1/sr] without the cosine; exact at every node and continuous. 0 when either direction is below the
     /// surface.
@@ -66,47 +72,31 @@ class BrdfTable {
     /// True when every value is the same: the table is a plain Lambertian.
     bool lobe_is_zero() const { return lobe_is_zero_; }
 
-    int theta_i_count() const { return theta_i_count_; }
-    int phi_count() const { return phi_count_; }
-    int theta_r_count() const { return theta_r_count_; }
-    double phi_origin() const { return phi_origin_; }
+    const GridShape& shape() const { return shape_; }
+    int theta_i_count() const { return shape_.theta_i_count; }
+    int phi_count() const { return shape_.phi_count; }
+    int theta_r_count() const { return shape_.theta_r_count; }
+    double phi_origin() const { return shape_.phi_origin; }
 
     /// The lobe at a node; k counts as in BrdfGrid.
-    double lobe_node(int i, int k, int j) const { return lobe_at(index(i, k, j)); }
+    double lobe_node(int i, int k, int j) const { return lobe_at(shape_.index(i, k, j)); }
+
+    /// f [1/sr] at every node, in the order of shape().
+    std::span<const float> values() const { return values_; }
 
     /// The lobe's lobe_reflectance_dh at the j-th viewing angle.
     double lobe_reflectance_node(int j) const { return lobe_reflectance_[static_cast<std::size_t>(j)]; }
 
   private:
-    // Viewing angle slowest, phi fastest: the samples of one view lie together.
-    std::size_t index(int i, int k, int j) const {
-        return (static_cast<std::size_t>(j) * static_cast<std::size_t>(theta_i_count_) +
-                static_cast<std::size_t>(i)) *
-                   static_cast<std::size_t>(phi_count_) +
-               static_cast<std::size_t>(k);
-    }
-    double lobe_at(std::size_t n) const { return static_cast<double>(values_[n]) - smallest_; }
+    double lobe_at(std::size_t n) const { return static_cast<double>(values_[n]) - constant_; }
 
-    int theta_i_count_, phi_count_, theta_r_count_;
-    double phi_origin_;
-    double smallest_ = 0;  // the Lambertian part, D / pi
-    double diffuse_ = 0;
-    bool lobe_is_zero_ = true;
+    GridShape shape_;
+    double constant_;  // the Lambertian part, D / pi
+    double diffuse_;
+    bool lobe_is_zero_;
     std::vector<float> values_;
     std::vector<double> lobe_reflectance_;  // per viewing angle
 };
-
-/// A place on a grid of angles: between node `cell` and the next, `fraction` 0..1 of the way.
-struct GridPlace {
-    int cell;
-    double fraction;
-};
-
-/// theta in 0..pi/2 on `count` nodes from 0 to 90 deg; cell in 0..count-2.
-GridPlace polar_place(double theta, int count);
-
-/// Polar angle of a unit vector, accurate near the pole too.
-double polar_angle(const Vec3& direction);
 
 /// The integral of the i-th hat function of a polar grid times cos(theta) sin(theta): with it the
 /// hemispherical integral of an interpolated function is a sum over its nodes.

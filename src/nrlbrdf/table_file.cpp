@@ -1,15 +1,14 @@
 #include "nrlbrdf/table_file.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "common/error.h"
+#include "common/text_file.h"
 #include "nrlbrdf/table_text.h"
 
 namespace infra {
@@ -55,7 +54,7 @@ Layout read_counts(TableText& text) {
     for (int n = 0; n < 3; ++n) {
         double number = 0;
         if (!text.next(number))
-            throw Error({text.name(), text.line()}, std::string("file ends before the count ") + names[n],
+            throw Error({text.name(), text.line()}, std::string("table ends before the count ") + names[n],
                         "a table starts with three counts: Ni Np Nt");
         const Location here{text.name(), text.line()};
         if (!(number >= 2) || number != std::floor(number))
@@ -74,6 +73,8 @@ Layout read_counts(TableText& text) {
 std::vector<double> read_numbers(TableText& text, const Layout& layout) {
     const std::size_t with_one = layout.values() + 1, with_each = layout.values() + layout.ni;
     std::vector<double> numbers;
+    numbers.reserve(
+        std::min(with_each, text.characters_left() / 2 + 1));  // never more than the text can hold
     std::size_t found = 0;
     for (double number = 0; text.next(number); ++found)
         if (found < with_each) numbers.push_back(number);
@@ -85,7 +86,7 @@ std::vector<double> read_numbers(TableText& text, const Layout& layout) {
                         std::to_string(with_one) + " of " + counts + " values with one D, nor " +
                         std::to_string(with_each) + " with a D before each block",
                     found < with_one
-                        ? "the file ends in the block " +
+                        ? "the table ends in the block " +
                               layout.theta_i(std::min(found / (layout.np * layout.nt), layout.ni - 1))
                         : "check the order Ni Np Nt and `#% phi 180`");
     }
@@ -141,16 +142,6 @@ std::vector<float> mirrored(const std::vector<float>& half, const Layout& layout
             values.insert(values.end(), start, start + static_cast<std::ptrdiff_t>(layout.nt));
         }
     return values;
-}
-
-std::string read_whole_file(const std::string& path) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file) throw Error(Location{path}, "cannot open BRDF table", std::strerror(errno));
-    std::string text;
-    char buffer[1 << 16];
-    while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) text.append(buffer, n);
-    if (std::ferror(file.get())) throw Error(Location{path}, "cannot read BRDF table", std::strerror(errno));
-    return text;
 }
 
 /// A grid that still knows its text, for messages about the finished table.
@@ -213,21 +204,46 @@ std::vector<std::string> energy_warnings(const BrdfTable& table, const Parsed& p
     return warnings;
 }
 
+LoadedTable load(TableText& text) {
+    Parsed parsed = parse(text);
+    LoadedTable loaded{.band = text.band(), .place = {text.name(), text.table_line()}};
+    loaded.table = std::make_shared<const BrdfTable>(parsed.grid);
+    loaded.warnings = energy_warnings(*loaded.table, parsed, text);
+    return loaded;
+}
+
+/// Refuses a second table.
+void expect_end(TableText& text) {
+    if (text.next_table())
+        throw Error({text.name(), text.table_line()}, "another table of a file that should have one only");
+}
+
 }  // namespace
 
 BrdfGrid parse_table(std::string_view text, const std::string& name) {
     TableText numbers(text, name);
-    return parse(numbers).grid;
+    BrdfGrid grid = parse(numbers).grid;
+    expect_end(numbers);
+    return grid;
 }
 
-BrdfGrid read_table_file(const std::string& path) { return parse_table(read_whole_file(path), path); }
+BrdfGrid read_table_file(const std::string& path) { return parse_table(read_text_file(path), path); }
 
 LoadedTable load_table(const std::string& path) {
-    const std::string content = read_whole_file(path);
+    const std::string content = read_text_file(path);
     TableText text(content, path);
-    Parsed parsed = parse(text);
-    const auto table = std::make_shared<const BrdfTable>(parsed.grid);
-    return {table, energy_warnings(*table, parsed, text)};
+    LoadedTable loaded = load(text);
+    expect_end(text);
+    return loaded;
+}
+
+std::vector<LoadedTable> load_tables(const std::string& path) {
+    const std::string content = read_text_file(path);
+    TableText text(content, path);
+    std::vector<LoadedTable> tables;
+    do tables.push_back(load(text));
+    while (text.next_table());
+    return tables;
 }
 
 }  // namespace infra

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -32,43 +33,93 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
+/// A positive number of um that is the whole word; 0 for anything else.
+double wavelength(std::string_view word) {
+    double um = 0;
+    const auto [stop, fault] = std::from_chars(word.data(), word.data() + word.size(), um);
+    return fault == std::errc() && stop == word.data() + word.size() && std::isfinite(um) && um > 0 ? um : 0;
+}
+
 }  // namespace
 
 TableText::TableText(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
-    skip_blanks_and_comments();
+    start_table();
 }
 
-void TableText::read_directive(std::string_view rest) {
+void TableText::start_table() {
+    directives_ = {};
+    number_seen_ = at_next_table_ = false;
+    number_line_ = line_;
+    skip_blanks_and_comments();
+    start_ = at_;
+    first_line_ = line_;
+}
+
+bool TableText::next_table() {
+    if (!at_next_table_) return false;
+    start_table();
+    return true;
+}
+
+void TableText::read_directive(std::string_view rest, std::size_t end) {
     const std::string_view key = take_word(rest);
-    const std::string_view value = take_word(rest);
     const Location here{name_, line_};
-    static constexpr std::array<std::string_view, 2> known = {"phi", "mirror"};
+    static constexpr std::array<std::string_view, 3> known = {"phi", "mirror", "band"};
     if (std::find(known.begin(), known.end(), key) == known.end()) {
         const std::string near = nearest_name(key, known);
         throw Error(here, "unknown directive " + quoted(key),
-                    near.empty() ? "known are phi 180 and mirror 0; a comment starts with # alone"
+                    near.empty() ? "known are phi 180, mirror 0 and band lo hi; a comment starts with # alone"
                                  : "did you mean " + near + "?");
     }
-    if (number_seen_)
-        throw Error(here, "directive " + quoted(key) + " after the first number", "put it before the counts");
-    const bool ok = key == "phi" ? value == "180" || value == "360" : value == "0" || value == "180";
-    if (!ok || !take_word(rest).empty())
-        throw Error(here, "bad value " + quoted(value) + " of directive " + quoted(key),
-                    key == "phi" ? "180 or 360" : "0 or 180");
-    if (key == "phi")
-        half_phi_ = value == "180";
-    else
-        mirror_at_zero_ = value == "0";
+    if (key == "band") {
+        if (number_seen_) {
+            at_next_table_ = true;  // and is read again by start_table
+            return;
+        }
+        if (directives_.band) throw Error(here, "two bands for one table", "a table follows each #% band");
+        directives_.band = read_band(rest);
+        directives_.band_line = line_;
+    } else {
+        const std::string_view value = take_word(rest);
+        if (number_seen_)
+            throw Error(here, "directive " + quoted(key) + " after the first number",
+                        "put it before the counts, after the table's #% band");
+        const bool ok = key == "phi" ? value == "180" || value == "360" : value == "0" || value == "180";
+        if (!ok || !take_word(rest).empty())
+            throw Error(here, "bad value " + quoted(value) + " of directive " + quoted(key),
+                        key == "phi" ? "180 or 360" : "0 or 180");
+        if (key == "phi")
+            directives_.half_phi = value == "180";
+        else
+            directives_.mirror_at_zero = value == "0";
+    }
+    at_ = end;
+}
+
+WavelengthBand TableText::read_band(std::string_view rest) const {
+    const Location here{name_, line_};
+    const std::string_view low = take_word(rest), high = take_word(rest);
+    const WavelengthBand band{wavelength(low), wavelength(high)};
+    if (!(band.lo_um > 0 && band.hi_um > 0) || !take_word(rest).empty())
+        throw Error(here, "bad band " + quoted(low) + " " + quoted(high),
+                    "two wavelengths in um, as in #% band 8 9");
+    if (band.lo_um > band.hi_um)
+        throw Error(here, "band " + std::string(low) + " to " + std::string(high) + " um is reversed",
+                    "the shorter wavelength stands first");
+    if (band.lo_um == band.hi_um) throw Error(here, "band of " + std::string(low) + " um has no width");
+    return band;
 }
 
 void TableText::skip_blanks_and_comments() {
-    while (at_ < text_.size()) {
+    while (at_ < text_.size() && !at_next_table_) {
         const char c = text_[at_];
         if (c == '#') {
             const std::size_t end = std::min(text_.find('\n', at_), text_.size());
             const std::string_view comment = text_.substr(at_ + 1, end - at_ - 1);
-            if (comment.starts_with('%')) read_directive(comment.substr(1));
-            at_ = end;
+            if (comment.starts_with('%'))
+                read_directive(comment.substr(1), end);
+            else
+                at_ = end;
         } else if (is_blank(c)) {
             line_ += c == '\n';
             ++at_;
@@ -80,7 +131,7 @@ void TableText::skip_blanks_and_comments() {
 
 bool TableText::next(double& number) {
     skip_blanks_and_comments();
-    if (at_ == text_.size()) return false;
+    if (at_ == text_.size() || at_next_table_) return false;
     number_line_ = line_;
     number_seen_ = true;
 
@@ -102,7 +153,10 @@ bool TableText::next(double& number) {
 }
 
 int TableText::line_of(std::size_t n) const {
-    TableText again(text_, name_);
+    TableText again(*this);
+    again.at_ = start_;
+    again.line_ = first_line_;
+    again.at_next_table_ = false;
     double ignored = 0;
     for (std::size_t k = 0; k <= n; ++k) again.next(ignored);
     return again.line();

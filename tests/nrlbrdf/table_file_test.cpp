@@ -8,6 +8,7 @@
 #include "common/error.h"
 #include "common/test_files.h"
 #include "nrlbrdf/models.h"
+#include "nrlbrdf/table_set.h"
 
 namespace infra {
 namespace {
@@ -35,9 +36,9 @@ struct Malformed {
     const char* says;
 };
 constexpr Malformed malformed[] = {
-    {"empty", 1, "file ends before the count Ni"},
-    {"only_comments", 1, "file ends before the count Ni"},
-    {"two_counts", 2, "file ends before the count Nt"},
+    {"empty", 1, "table ends before the count Ni"},
+    {"only_comments", 1, "table ends before the count Ni"},
+    {"two_counts", 2, "table ends before the count Nt"},
     {"count_one", 1, "bad count Np (phi): 1 (a whole number >= 2)"},
     {"count_negative", 1, "bad count Np (phi): -2"},
     {"count_fraction", 1, "bad count Np (phi): 2.5"},
@@ -45,7 +46,7 @@ constexpr Malformed malformed[] = {
     {"count_absurd", 1, "table of 1e+12 values is too large"},
     {"count_overflow", 1, "is too large"},
     {"no_values", 1, "found 0 numbers after the counts, not the 13 of 2 x 2 x 3 values"},
-    {"truncated", 6, "the file ends in the block theta_i = 90 deg"},
+    {"truncated", 6, "the table ends in the block theta_i = 90 deg"},
     {"no_diffuse", 5, "found 12 numbers after the counts, not the 13"},
     {"one_too_many", 7, "found 15 numbers after the counts, not the 13"},
     {"far_too_many", 14, "nor 14 with a D before each block"},
@@ -66,11 +67,26 @@ constexpr Malformed malformed[] = {
     {"hexadecimal", 4, "expected a number, found \"0x10\""},
     {"binary", 1, "expected a number, found \"?ELF"},
     {"unknown_directive", 1, "unknown directive \"phy\" (did you mean phi?)"},
-    {"strange_directive", 1, "known are phi 180 and mirror 0"},
+    {"strange_directive", 1, "known are phi 180, mirror 0 and band lo hi"},
     {"directive_value", 1, "bad value \"90\" of directive \"phi\" (180 or 360)"},
     {"mirror_value", 1, "bad value \"90\" of directive \"mirror\" (0 or 180)"},
     {"directive_without_value", 1, "bad value \"\" of directive \"mirror\""},
     {"late_directive", 2, "directive \"phi\" after the first number"},
+    {"band_reversed", 1, "band 9 to 8 um is reversed (the shorter wavelength stands first)"},
+    {"band_without_width", 1, "band of 8 um has no width"},
+    {"band_with_units", 1, "bad band \"8um\" \"9um\" (two wavelengths in um, as in #% band 8 9)"},
+    {"band_one_number", 1, "bad band \"8\" \"\""},
+    {"band_negative", 1, "bad band \"-8\" \"9\""},
+    {"band_infinite", 1, "bad band \"8\" \"inf\""},
+    {"band_three_numbers", 1, "bad band \"8\" \"9\""},
+    {"band_twice", 2, "two bands for one table (a table follows each #% band)"},
+    {"band_without_table", 5, "table ends before the count Ni"},
+    {"band_too_early", 3, "found 5 numbers after the counts, not the 9"},
+    {"second_table_negative", 9, "negative BRDF value -1 at theta_i = 90 deg, phi = 180 deg"},
+    {"bands_mixed", 1, "this table states no band, and it is one of several"},
+    {"bands_overlap", 1, "band 8-9 um overlaps 8.5-10 um of "},
+    {"bands_of_two_grids", 5, "the grid, 2 x 2 x 3, is not that of "},
+    {"mirror_before_band", 5, "put it before the counts, after the table's #% band"},
 };
 
 TEST(TableFile, SaysWhatIsWrongAndWhere) {
@@ -78,7 +94,8 @@ TEST(TableFile, SaysWhatIsWrongAndWhere) {
         const std::string path =
             std::string(INFRA_SOURCE_DIR "/tests/data/malformed/brdf/") + m.file + ".brdf";
         try {
-            load_table(path);
+            std::vector<LoadedTable> tables = load_tables(path);
+            order_table_set(tables);
             ADD_FAILURE() << m.file << " was accepted";
         } catch (const Error& error) {
             const std::string what = error.what();
@@ -96,7 +113,7 @@ TEST(TableFile, NamesAFileItCannotRead) {
             load_table(path);
             ADD_FAILURE() << path << " was accepted";
         } catch (const Error& error) {
-            EXPECT_EQ(std::string(error.what()).find(path + ": cannot "), 0U) << error.what();
+            EXPECT_EQ(std::string(error.what()).find("cannot read \"" + path + "\": "), 0U) << error.what();
         }
     }
 }

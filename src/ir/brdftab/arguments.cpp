@@ -21,7 +21,8 @@ void choose_source(Arguments& arguments, const OptionValues& given, std::functio
 
 void choose_model(Arguments& arguments, const OptionValues& given, std::string name, BrdfFunction f,
                   bool bounded) {
-    BrdfSource source{.f = std::move(f), .description = std::move(name), .bounded = bounded};
+    BrdfSource source{
+        .f = std::move(f), .description = std::move(name), .bounded = bounded, .analytic = true};
     for (const std::string& value : given.values) source.description += " " + value;
     choose_source(arguments, given, [source] { return source; });
 }
@@ -69,6 +70,14 @@ void describe_files(OptionTable& options, Arguments& arguments) {
             },
             "MERL's binary of an isotropic surface")
         .named("file");
+    options
+        .custom(
+            "-table", "s",
+            [&arguments](const OptionValues& given) {
+                choose_source(arguments, given, [path = given.text(0)] { return source_from_table(path); });
+            },
+            "a .brdf file of one table, for another grid, a band or a repair")
+        .named("file.brdf");
     options
         .custom(
             "-channel", "s",
@@ -209,6 +218,16 @@ void describe_output(OptionTable& options, Arguments& arguments) {
                              arguments.grid.theta_r);
         });
     options.text("-o", &arguments.output, "table to write").named("file.brdf");
+    options
+        .custom(
+            "-band", "ff",
+            [&arguments](const OptionValues& given) {
+                const WavelengthBand band{positive(given, 0, "lo"), positive(given, 1, "hi")};
+                if (!(band.lo_um < band.hi_um)) given.reject("the shorter wavelength stands first");
+                arguments.band = band;
+            },
+            "wavelengths in um that the table states")
+        .named("lo hi");
     options.toggle("-symmetrize", &arguments.symmetrize, "mean with directions exchanged: reciprocal",
                    "reciprocity as the source has it");
     options.toggle("-clamp-energy", &arguments.clamp_energy, "scaled down where reflectance is above 1",

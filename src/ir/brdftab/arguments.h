@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace infra::ir {
 struct Arguments {
     GridCounts grid{19, 36, 19};
     std::string output;
+    std::optional<WavelengthBand> band;  ///< that the output states; without it the source's, if it has one
     std::function<BrdfSource()> make_source;  ///< set by the option that chose it; empty: columns
     std::string source_option;                ///< which one it was
     SampleSettings samples;

@@ -87,7 +87,9 @@ int run(int argc, char** argv) {
     std::fputs(energy_warning(table).c_str(), stderr);
     const std::string command =
         options.command_line() + (operands->empty() ? "" : " " + join_command(*operands));
-    if (!arguments.output.empty()) write_table(arguments.output, grid, command + "\n" + report);
+    if (!arguments.output.empty())
+        write_table(arguments.output, grid, command + "\n" + report,
+                    arguments.band ? arguments.band : source.band);
     if (!arguments.plot.empty()) write_plot(arguments, source, table);
     return 0;
 }

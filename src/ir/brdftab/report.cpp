@@ -58,7 +58,8 @@ std::string figure(bool present, double value) {
 
 std::string difference_text(const Difference& d) {
     if (d.rms < rounding && d.largest < rounding) return "none";
-    std::string text = formatted("rms %.3g %%, largest %.3g %%", 100 * d.rms, 100 * d.largest);
+    std::string text = formatted("rms %.3g %%, up to 60 deg %.3g %% of the peak, largest %.3g %%",
+                                 100 * d.rms, 100 * d.of_peak, 100 * d.largest);
     if (d.largest > 0) text += " at " + place_text(d.theta_i, d.phi, d.theta_r);
     return text;
 }
@@ -68,6 +69,11 @@ std::string describe(const BrdfSource& source, const BrdfFunction& f, const Brdf
     if (source.interpolator)
         text += cross_validation_text(*source.interpolator) + extrapolation_text(*source.interpolator, table);
     text += "interpolation error between nodes: " + difference_text(interpolation_error(table, f)) + "\n";
+    if (source.analytic) {
+        const ReflectanceError error = reflectance_error(table, f);
+        text += formatted("error of the reflectance: at most %.3g at %.4g deg, %.3g %%\n", error.largest,
+                          error.theta / degree, 100 * error.relative);
+    }
     return text + "reciprocity error: " + difference_text(reciprocity_error(table)) + "\n";
 }
 

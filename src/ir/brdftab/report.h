@@ -14,7 +14,7 @@ namespace infra::ir {
 /// tabulated.
 std::string describe(const BrdfSource& source, const BrdfFunction& f, const BrdfTable& table);
 
-/// "rms 1.2 %, largest 30 % at ...", or "none".
+/// "rms 1.2 %, up to 60 deg 2 % of the peak, largest 30 % at ...", or "none".
 std::string difference_text(const Difference& difference);
 
 /// A line about what clamp_energy did.

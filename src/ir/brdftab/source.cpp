@@ -4,7 +4,9 @@
 
 #include "common/format.h"
 #include "common/text_file.h"
+#include "ir/brdftab/quality.h"
 #include "ir/brdftab/sample_file.h"
+#include "nrlbrdf/table_file.h"
 
 namespace infra::ir {
 
@@ -40,11 +42,24 @@ BrdfSource source_from_merl(const std::string& path, MerlChannel channel) {
     return source;
 }
 
+BrdfSource source_from_table(const std::string& path) {
+    const LoadedTable loaded = load_table(path);
+    const auto [ni, np, nt, origin] = loaded.table->shape();
+    BrdfSource source;
+    source.f = [table = loaded.table](double theta_i, double phi, double theta_r) {
+        return table_value(*table, theta_i, phi, theta_r);
+    };
+    source.description = path + formatted(": table of %d x %d x %d", ni, np, nt);
+    source.band = loaded.band;
+    return source;
+}
+
 BrdfSource source_from_sea(const Sea& sea) {
     BrdfSource source;
     source.f = cox_munk(sea);
     source.description = formatted("Cox-Munk sea, wind %g m/s, index %g + %gi", sea.wind, sea.n, sea.k);
     source.bounded = false;
+    source.analytic = true;
     source.emissivity = [sea](double theta) { return sea_emissivity(sea, theta); };
     return source;
 }

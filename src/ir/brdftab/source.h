@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,13 @@ struct BrdfSource {
     BrdfFunction f;
     std::string description;          ///< one line
     bool bounded = true;              ///< false: infinite somewhere at 90 deg
+    bool analytic = false;            ///< a model: quick to ask and smooth
     std::vector<BrdfSample> samples;  ///< as measured, for plots
 
     std::shared_ptr<const SampleInterpolator> interpolator;  ///< of samples, else null
     std::string notes;                                       ///< what was repaired on the way in, whole lines
     std::function<double(double theta)> emissivity;          ///< the model's own, where it has one
+    std::optional<WavelengthBand> band;                      ///< as a table states it
 };
 
 /// How text samples become a function.
@@ -38,6 +41,9 @@ enum class SampleLayout { columns, cuts };
 /// throw Error with file and line for what cannot be read.
 BrdfSource source_from_samples(const std::string& path, SampleLayout layout, const SampleSettings& settings);
 BrdfSource source_from_merl(const std::string& path, MerlChannel channel);
+
+/// A table in place of measurements: f is what the renderer interpolates.
+BrdfSource source_from_table(const std::string& path);
 
 BrdfSource source_from_sea(const Sea& sea);
 

@@ -127,6 +127,33 @@ TEST(Brdftab, PrintsTheSeasEmissivity) {
     EXPECT_NE(outcome.out.find("0.956640"), std::string::npos) << outcome.out;
 }
 
+TEST(Brdftab, StatesBandsAndMakesOtherGrids) {
+    const Folder folder;
+    ASSERT_EQ(run(folder,
+                  "brdftab -ward .1 .3 .4 -n 10 12 10 -band 8 9.5 -o a.brdf && "
+                  "brdftab -table a.brdf -n 10 12 10 -o same.brdf && "
+                  "brdftab -table a.brdf -n 19 24 19 -band 3 5 -o b.brdf && cat a.brdf b.brdf > both.brdf")
+                  .status,
+              0);
+    const LoadedTable a = load_table(folder.path("a.brdf")), same = load_table(folder.path("same.brdf"));
+    EXPECT_EQ(a.band, (WavelengthBand{8, 9.5}));
+    EXPECT_EQ(same.band, a.band);
+    EXPECT_TRUE(std::equal(a.table->values().begin(), a.table->values().end(), same.table->values().begin(),
+                           same.table->values().end()));
+    const LoadedTable b = load_table(folder.path("b.brdf"));
+    EXPECT_EQ(b.band, (WavelengthBand{3, 5}));
+    for (const double theta : {0.1, 0.7, 1.3})  // the coarse grid's nodes are among the fine one's
+        EXPECT_NEAR(table_value(*b.table, theta, 3, 0.5), table_value(*a.table, theta, 3, 0.5), 1e-7);
+    EXPECT_EQ(load_tables(folder.path("both.brdf")).size(), 2U);
+    EXPECT_NE(run(folder, "brdftab -table both.brdf").err.find("another table"), std::string::npos);
+}
+
+TEST(Brdftab, ReportsTheErrorOfAModelsReflectance) {
+    const Folder folder;
+    EXPECT_NE(run(folder, "brdftab -ward 0 .5 .2").out.find("error of the reflectance: at most "),
+              std::string::npos);
+}
+
 TEST(Brdftab, IsDeterministic) {
     const Folder folder;
     folder.write("paint.txt", cuts_text(gaussian_lobe(0.1, 0.3, 0.15), {20, 40, 60}, 10));
@@ -165,6 +192,8 @@ TEST(Brdftab, RefusesBadInputAndLeavesNothing) {
               std::string::npos);
     EXPECT_NE(error("-lambert .5 few.txt").find("two sources"), std::string::npos);
     EXPECT_NE(error("").find("give one file"), std::string::npos);
+    EXPECT_NE(error("-lambert .5 -band 9 8").find("the shorter wavelength stands first"), std::string::npos);
+    EXPECT_NE(error("-lambert .5 -band 0 8").find("lo must be above 0"), std::string::npos);
     EXPECT_NE(error("-n 1 2 3 -lambert .5").find("at least 2"), std::string::npos);
 }
 
