@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cal/program.h"
+#include "common/air_path.h"
 #include "common/channels.h"
 #include "rt/geometry.h"
 #include "rt/modifier.h"
@@ -58,6 +60,9 @@ class CompiledScene {
     std::string_view modifier_name(int surface) const;
     std::string_view material_name(int surface) const;
 
+    /// The air along camera rays, nullptr for none.
+    const AirPath* air() const { return air_ ? &*air_ : nullptr; }
+
     /// Complete lines for the user, such as a table whose reflectance is over 1.
     const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -74,6 +79,7 @@ class CompiledScene {
     std::unique_ptr<Modifier> irradiance_material_;
     SurfaceTable surfaces_;
     Geometry geometry_{surfaces_};
+    std::optional<AirPath> air_;
     std::vector<LightSource> sources_;
     std::vector<int> distant_;
     std::vector<int> sampled_;

@@ -6,11 +6,15 @@ namespace {
 using enum PrimitiveType;
 
 constexpr ModifierRow rows[] = {
-    {plastic, make_plastic}, {metal, make_metal},           {trans, make_trans},
-    {glass, make_glass},     {light, make_light},           {glow, make_glow},
-    {illum, make_illum},     {spotlight, make_spotlight},   {emissive, make_emissive},
-    {nrlbrdf, make_nrlbrdf}, {brightfunc, make_brightfunc}, {colorfunc, make_colorfunc},
-    {texfunc, make_texfunc}, {mixfunc, make_mixfunc},
+    {plastic, make_plastic},     {metal, make_metal},           {trans, make_trans},
+    {glass, make_glass},         {light, make_light},           {glow, make_glow},
+    {illum, make_illum},         {spotlight, make_spotlight},   {emissive, make_emissive},
+    {thermal, make_thermal},     {nrlbrdf, make_nrlbrdf},       {brightfunc, make_brightfunc},
+    {colorfunc, make_colorfunc}, {brightdata, make_brightdata}, {colordata, make_colordata},
+    {colorpict, make_colorpict}, {spectrum, make_spectrum},     {specfile, make_specfile},
+    {specfunc, make_specfunc},   {specdata, make_specdata},     {specpict, make_specpict},
+    {texfunc, make_texfunc},     {texdata, make_texdata},       {mixfunc, make_mixfunc},
+    {mixdata, make_mixdata},     {mixpict, make_mixpict},
 };
 
 }  // namespace
@@ -31,6 +35,7 @@ std::vector<std::string_view> referenced_modifiers(const Scene& scene, Primitive
         case illum:
         case mirror:
         case emissive:
+        case thermal:
             count = 1;
             break;
         case mixfunc:

@@ -16,6 +16,7 @@
 
 namespace infra {
 
+struct DataCache;
 struct TableCache;
 
 /// What a factory may ask while it makes a modifier.
@@ -28,6 +29,7 @@ class ModifierContext {
     const RenderSettings& settings;
     cal::Library& functions;
     TableCache& tables;
+    DataCache& data;
     const std::vector<const Modifier*>& made;  ///< by primitive, as far as they are used
     std::vector<std::string>& warnings;
 
@@ -64,10 +66,22 @@ std::unique_ptr<Modifier> make_glow(ModifierContext&);
 std::unique_ptr<Modifier> make_illum(ModifierContext&);
 std::unique_ptr<Modifier> make_spotlight(ModifierContext&);
 std::unique_ptr<Modifier> make_emissive(ModifierContext&);
+std::unique_ptr<Modifier> make_thermal(ModifierContext&);
 std::unique_ptr<Modifier> make_nrlbrdf(ModifierContext&);
 std::unique_ptr<Modifier> make_brightfunc(ModifierContext&);
 std::unique_ptr<Modifier> make_colorfunc(ModifierContext&);
+std::unique_ptr<Modifier> make_brightdata(ModifierContext&);
+std::unique_ptr<Modifier> make_colordata(ModifierContext&);
+std::unique_ptr<Modifier> make_colorpict(ModifierContext&);
+std::unique_ptr<Modifier> make_spectrum(ModifierContext&);
+std::unique_ptr<Modifier> make_specfile(ModifierContext&);
+std::unique_ptr<Modifier> make_specfunc(ModifierContext&);
+std::unique_ptr<Modifier> make_specdata(ModifierContext&);
+std::unique_ptr<Modifier> make_specpict(ModifierContext&);
 std::unique_ptr<Modifier> make_texfunc(ModifierContext&);
+std::unique_ptr<Modifier> make_texdata(ModifierContext&);
 std::unique_ptr<Modifier> make_mixfunc(ModifierContext&);
+std::unique_ptr<Modifier> make_mixdata(ModifierContext&);
+std::unique_ptr<Modifier> make_mixpict(ModifierContext&);
 
 }  // namespace infra

@@ -76,6 +76,9 @@ struct Interaction {
     bool flipped = false;
 
     // What: set while shading
+    /// Planck's radiance at the temperature of the surface being shaded, if it has one
+    /// (materials/thermal.cpp): its material emits what it neither reflects nor transmits of it.
+    const Spectrum* blackbody = nullptr;
     Spectrum pattern;   ///< product of the patterns met so far
     Spectrum radiance;  ///< towards the ray's origin
     Spectrum mirrored;  ///< the part of it that is a mirror image

@@ -4,7 +4,9 @@
 #include <unordered_set>
 
 #include "cal/ray_library.h"
+#include "common/raypath.h"
 #include "rt/compiled_scene.h"
+#include "rt/data_cache.h"
 #include "rt/materials/table_cache.h"
 #include "rt/materials/ward_material.h"
 #include "rt/modifier_table.h"
@@ -37,6 +39,9 @@ class SceneCompiler {
         out_.geometry_.build();
         out_.program_ = std::make_unique<cal::Program>(functions_.link());
         WardParameters white{Spectrum(out_.channel_count(), 3.14159265358979f)};
+        if (!settings_.air_path.empty())
+            out_.air_ =
+                AirPath::read(require_library_file(settings_.air_path, "air path file"), out_.channels_);
         const float* ambient = settings_.ambient_value;
         out_.ambient_value_ = out_.channels_.from_rgb(ambient[0], ambient[1], ambient[2]);
         out_.irradiance_material_ = std::make_unique<WardMaterial>("Lambertian", nullptr, white, false);
@@ -95,7 +100,7 @@ class SceneCompiler {
                                "type \"" + std::string(name(scene_.type(what))) + "\" is not supported yet",
                                "the renderer knows its arguments but not its shading");
         ModifierContext context{scene_,     what,    next,  out_.channels_, settings_,
-                                functions_, tables_, made_, out_.warnings_};
+                                functions_, tables_, data_, made_,          out_.warnings_};
         out_.modifiers_.push_back(row->make(context));
         const Modifier* made = out_.modifiers_.back().get();
         check_patterns(what, made);
@@ -188,6 +193,7 @@ class SceneCompiler {
     const RenderSettings& settings_;
     cal::Library functions_;
     TableCache tables_;
+    DataCache data_;
     std::vector<const Modifier*> made_;
 };
 

@@ -35,6 +35,9 @@ struct RenderSettings {
     int ambient_super_samples = 128;     ///< -as: extra rays where neighbours differ
     NameFilter ambient_filter;           ///< -ai -ae
 
+    // Air
+    std::string air_path;  ///< -mp: file of the air along camera rays (common/air_path.h); empty: none
+
     // Limits
     int max_reflections = 7;   ///< -lr: negative turns Russian roulette on below min_weight, 0: no limit
     double min_weight = 1e-4;  ///< -lw

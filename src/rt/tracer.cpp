@@ -44,6 +44,7 @@ void Tracer::trace(Interaction& at) {
     if (!at.ray->parent) stack_base_ = static_cast<const char*>(__builtin_frame_address(0));
     if (intersect(at)) {
         shade(at);
+        if (scene_.air()) see_through_air(at);
     } else if (at.ray->max_distance > tiny) {
         // ended by the aft clipping plane
     } else if (meet_distant_source(at)) {
@@ -55,6 +56,15 @@ void Tracer::trace(Interaction& at) {
         at.mirrored.clear();
     }
     if (observer_) observer_->observe(at);
+}
+
+// Distant sources, as the sky, are given as the camera sees them; what is reflected is near by.
+void Tracer::see_through_air(Interaction& at) const {
+    if (at.ray->lineage & ~(primary_ray | through_ray)) return;
+    Spectrum factor(at.channels());
+    const double near = at.ray->path_before;
+    scene_.air()->apply(near, near + at.distance, at.radiance, factor);
+    at.mirrored *= factor;
 }
 
 void Tracer::cast(Interaction& at) {
@@ -180,6 +190,7 @@ bool Tracer::is_flat(const Interaction& at) const { return at.flat_shape != Geom
 void Tracer::transport(const Scattering& scattering, Interaction& at) {
     if (scattering.has_through) trace_through(scattering, at);
     if (at.ray->is(shadow_rays)) return;
+    if (at.blackbody) add_thermal_emission(scattering, at);
     if (scattering.has_mirror) trace_mirror(scattering, at);
     if (scattering.pure_specular) return;
     for (int i = 0; i < scattering.lobe_count; ++i)
@@ -187,6 +198,14 @@ void Tracer::transport(const Scattering& scattering, Interaction& at) {
     add_ambient(scattering.ambient, scattering.normal, false, at);
     add_ambient(scattering.ambient_through, -scattering.normal, true, at);
     add_direct(scattering, at);
+}
+
+// Kirchhoff: what is neither reflected nor transmitted is emitted.
+void Tracer::add_thermal_emission(const Scattering& scattering, Interaction& at) {
+    Spectrum albedo(at.channels());
+    scattering.directional_albedo(albedo);
+    for (int c = 0; c < at.channels(); ++c)
+        at.radiance.set(c, at.radiance[c] + std::max(0.0f, 1.0f - albedo[c]) * (*at.blackbody)[c]);
 }
 
 void Tracer::trace_through(const Scattering& scattering, Interaction& at) {
@@ -229,7 +248,7 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     } else {
         count = 1;
     }
-    Spectrum sum(at.channels());
+    Spectrum sum(at.channels()), weights(at.channels()), tint(at.channels(), 1.0f);
     int draws = 0;
     for (int traced = 0; (lobe.redraws ? traced : draws) < count && draws < 10 * count; ++draws) {
         const LobeDraw draw = lobe.sample(random_, count);
@@ -238,9 +257,21 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
         child.direction = draw.wi;
         Interaction seen(child);
         trace(seen);
-        sum.add_scaled(seen.radiance * child.coefficient, static_cast<float>(draw.weight));
+        if (lobe.colored) [[unlikely]]
+            lobe.tint(draw.wi, tint);
+        const auto weight = static_cast<float>(draw.weight);
+        sum.add_scaled(seen.radiance * child.coefficient * tint, weight);
+        weights.add_scaled(tint, weight);
     }
     at.radiance.add_scaled(sum, static_cast<float>(count) / static_cast<float>(draws));
+    // Emission has counted on weights of 1; what these samples lack of it, or have above it, is the surface's
+    // own. So the emissivity is that of the lobe as sampled, and in an enclosure of one temperature each path
+    // brings exactly Planck's radiance.
+    if (at.blackbody) {
+        Spectrum lacking(at.channels(), 1.0f);
+        lacking.add_scaled(weights, -1.0f / static_cast<float>(draws));
+        at.radiance.add_scaled(*at.blackbody * child.coefficient * lacking, static_cast<float>(count));
+    }
 }
 
 bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, const Spectrum* coefficient) {

@@ -57,6 +57,9 @@ class Tracer {
     }
     /// Radiances that were not finite, replaced by 0 when they were met.
     std::uint64_t bad_values() const { return bad_values_; }
+    /// Temperatures of thermal surfaces that their patterns made 0 K or less: they emit nothing.
+    std::uint64_t bad_temperatures() const { return bad_temperatures_; }
+    void count_bad_temperature() { ++bad_temperatures_; }
 
     // For modifiers
     // ------------------------------------------------------------------------------------------------
@@ -88,6 +91,8 @@ class Tracer {
     void complete_hit(const HitState& state, Interaction& at) const;
     void shade(Interaction& at);
 
+    void see_through_air(Interaction& at) const;
+    void add_thermal_emission(const Scattering& scattering, Interaction& at);
     void trace_mirror(const Scattering& scattering, Interaction& at);
     void trace_through(const Scattering& scattering, Interaction& at);
     void trace_lobe(const class Lobe& lobe, Interaction& at);
@@ -119,6 +124,7 @@ class Tracer {
     const char* stack_base_ = nullptr;  // where the primary ray under way was started
     std::uint64_t ray_count_ = 0;
     std::uint64_t bad_values_ = 0;
+    std::uint64_t bad_temperatures_ = 0;
 
     std::unique_ptr<Scratch> scratch_;  // arrays that keep their memory from ray to ray
 };

@@ -100,7 +100,8 @@ constexpr PrimitiveInfo table[] = {
     {PrimitiveType::specdata, "specdata",     pattern,  at_least(4),  any,           data_names, parameters, append},
     {PrimitiveType::specpict, "specpict",     pattern,  at_least(5),  any,           "func specfile funcfile u v transform...", parameters, append},
     {PrimitiveType::emissive, "emissive",     material, either(0, 1), either(3, 4),  "[material]", "Lr Lg Lb [maxrad]", numbers},
-    {PrimitiveType::nrlbrdf, "nrlbrdf",       material, exactly(1),   either(5, 8),  "brdffile", "red green blue nsamp alpha [Er Eg Eb]"},
+    {PrimitiveType::nrlbrdf, "nrlbrdf",       material, at_least(1),  either(5, 8),  "brdffile...", "red green blue nsamp alpha [Er Eg Eb]"},
+    {PrimitiveType::thermal, "thermal",       material, either(0, 1), either(3, 4),  "[material]", "T lmin lmax [emissivity]"},
 };
 // clang-format on
 

@@ -21,12 +21,12 @@ enum class PrimitiveType : std::uint8_t {
     transfunc, BRTDfunc, BSDF, aBSDF, WGMDfunc, plasdata, metdata, transdata, colorfunc, antimatter,
     colordata, colortext, texdata, mixfunc, mixdata, mixtext, mixpict, prism1, prism2, ashik2,
     spectrum, specfile, specfunc, specdata, specpict,
-    emissive, nrlbrdf,
+    emissive, nrlbrdf, thermal,
 };
 // clang-format on
 
 inline constexpr int radiance_type_count = 59;
-inline constexpr int primitive_type_count = 61;
+inline constexpr int primitive_type_count = 62;
 
 enum class PrimitiveKind : std::uint8_t { surface, volume, alias, material, texture, pattern, mixture };
 

@@ -5,6 +5,7 @@
 
 #include "common/test_files.h"
 #include "scene_pieces.h"
+#include "test_data.h"
 #include "test_tables.h"
 
 namespace infra {
@@ -59,6 +60,26 @@ TEST(BadInput, NamesOfModifiersInArguments) {
     expect_refusal("void emissive m 1 m 0 3 1 1 1" + ball, 1, "undefined modifier \"m\"");
 }
 
+TEST(BadInput, TemperaturesAndBands) {
+    expect_refusal("void thermal m 0 0 3 0 8 12" + ball, 1, "temperature 0 K is not above 0");
+    expect_refusal("\nvoid thermal m 0 0 3 -20 8 12" + ball, 2, "temperature -20 K is not above 0");
+    expect_refusal("void thermal m 0 0 3 300 12 8" + ball, 1, "12 to 8 um is not a band");
+    expect_refusal("void thermal m 0 0 3 300 8000 12000" + ball, 1, "wavelengths in um from 0.2 to 1000");
+    expect_refusal("void thermal m 0 0 4 300 8 12 1.2" + ball, 1, "emissivity 1.2 is not within 0..1");
+    expect_refusal("void thermal m 0 0 2 300 8" + ball, 1, "2 real arguments where 3 or 4 are needed");
+    expect_refusal("void glow lamp 0 0 4 1 1 1 0 void thermal m 1 lamp 0 3 300 8 12" + ball, 1,
+                   "\"lamp\" emits by itself");
+    expect_refusal("void thermal hot 0 0 3 300 8 12 void thermal m 1 hot 0 3 300 8 12" + ball, 1,
+                   "\"hot\" emits by itself");
+}
+
+TEST(BadInput, AirPathFiles) {
+    RenderSettings settings;
+    settings.air_path = "no_such.air";
+    EXPECT_NE(refusal("void plastic m 0 0 5 1 1 1 0 0" + ball, settings).find("no_such.air"),
+              std::string::npos);
+}
+
 TEST(BadInput, ConflictingMaterials) {
     expect_refusal("void plastic under 0 0 5 .5 .5 .5 0 0\n\nunder plastic m 0 0 5 .5 .5 .5 0 0" + ball, 3,
                    "conflicting material \"under\"");
@@ -102,6 +123,50 @@ TEST(BadInput, Tables) {
     const std::string message =
         refusal("void nrlbrdf m 1 " + (folder / "bad.brdf") + " 0 5 1 1 1 1 .3" + ball);
     EXPECT_NE(message.find("bad.brdf:4: "), std::string::npos) << message;
+}
+
+TEST(BadInput, DataFilesAndPictures) {
+    const test::TemporaryFolder folder;
+    const test::DataFiles data = test::write_data(folder);
+    const std::string pattern = "void brightdata f ", tail = " 0 0\nf plastic m 0 0 5 1 1 1 0 0" + ball;
+    expect_refusal(pattern + "4 noop no_such.dat . Px" + tail, 1, "cannot find data file \"no_such.dat\"");
+    expect_refusal(pattern + "4 noop " + data.map + " . Px" + tail, 1,
+                   "4 string arguments where at least 5 are needed");
+    expect_refusal(pattern + "5 nope " + data.map + " . Px Py" + tail, 1, "undefined function \"nope\"");
+    expect_refusal(pattern + "5 red " + data.map + " . Px Py" + tail, 1,
+                   "function \"red\" takes 3 arguments, here it is given 1");
+    expect_refusal(pattern + "5 noop " + data.map + " no_such.cal Px Py" + tail, 1, "no_such.cal");
+    expect_refusal(pattern + "5 noop " + data.map + " . Px (" + tail, 1, "syntax error");
+    test::write_file(folder / "bad.dat", "1\n0 1 2\n3\n");
+    const std::string bad = refusal(pattern + "4 noop " + (folder / "bad.dat") + " . Px" + tail);
+    EXPECT_TRUE(bad.starts_with((folder / "bad.dat") + ":3: the file ends")) << bad;
+
+    expect_refusal("void colordata f 9 noop noop noop " + data.map + " " + data.spectrum + " " + data.map +
+                       " . Px Py" + tail,
+                   1, "data files of 2 and 1 dimensions");
+    expect_refusal("void colorpict f 7 red green blue no_such.hdr . Px Py" + tail, 1,
+                   "cannot find picture \"no_such.hdr\"");
+    const std::string picture = refusal("void colorpict f 7 red green blue " + data.map + " . Px Py" + tail);
+    EXPECT_NE(picture.find("map.dat: cannot read picture"), std::string::npos) << picture;
+}
+
+TEST(BadInput, Spectra) {
+    const test::TemporaryFolder folder;
+    const test::DataFiles data = test::write_data(folder);
+    const std::string tail = "\nf plastic m 0 0 5 1 1 1 0 0" + ball;
+    expect_refusal("void spectrum f 0 0 4 380 780 1 1" + tail, 1, "4 real arguments where at least 5");
+    expect_refusal("void spectrum f 0 0 5 380 380 1 1 1" + tail, 1, "not a range of wavelengths");
+    expect_refusal("void spectrum f 0 0 5 -1 380 1 1 1" + tail, 1, "not a range of wavelengths");
+    expect_refusal("void specfile f 1 no_such.dat 0 0" + tail, 1, "cannot find data file");
+    expect_refusal("void specfile f 1 " + data.map + " 0 0" + tail, 1, "a data file of 2 dimensions");
+    expect_refusal("void specfunc f 2 noop . 0 2 500 500" + tail, 1, "not a range of wavelengths");
+    expect_refusal("void specfunc f 2 nope . 0 2 400 700" + tail, 1, "undefined function \"nope\"");
+    expect_refusal("void specdata f 4 min " + data.spectrum + " . Px 0 0" + tail, 1,
+                   "a data file of 1 dimension");
+    expect_refusal("void specdata f 4 min " + data.map + " . Px 0 0" + tail, 1,
+                   "0 to 2 is not a range of wavelengths");
+    expect_refusal("void specpict f 5 min no_such.hsr . Px Py 0 0" + tail, 1,
+                   "cannot find spectral picture \"no_such.hsr\"");
 }
 
 TEST(BadInput, ATableThatReflectsTooMuchIsWarnedOf) {

@@ -6,9 +6,11 @@
 #include <numbers>
 #include <set>
 
+#include "common/planck.h"
 #include "rt/materials/scattering.h"
 #include "rt/materials/surface_material.h"
 #include "scene_pieces.h"
+#include "test_data.h"
 #include "test_tables.h"
 
 namespace infra {
@@ -43,6 +45,7 @@ std::vector<Example> examples(const test::TemporaryFolder& folder) {
         {spotlight, "void spotlight m 0 0 7 2 2 2 90 0 0 1", 2},
         {emissive, "void emissive m 0 0 3 2 2 2", 2},
         {emissive, "void plastic skin 0 0 5 .5 .5 .5 .1 .1 void emissive m 1 skin 0 3 2 2 2", 2},
+        {thermal, "void thermal m 0 0 3 300 8 12", band_radiance(300, 8, 12)},
         {brightfunc, "void brightfunc half 2 if(Px,.5,1) . 0 0 half plastic m 0 0 5 1 1 1 0 0"},
         {colorfunc, "void colorfunc tint 4 .5 .6 Py*Py/(1+Py*Py) . 0 0 tint plastic m 0 0 5 1 1 1 0 0"},
         {texfunc, "void texfunc waves 4 .3*sin(9*Px) .2 0 . 0 0 waves plastic m 0 0 5 1 1 1 .2 .1"},
@@ -50,6 +53,24 @@ std::vector<Example> examples(const test::TemporaryFolder& folder) {
          "void plastic a 0 0 5 1 1 1 0 0 void metal b 0 0 5 .5 .5 .5 1 0 void mixfunc m 4 a b .3 . 0 0"},
         {mixfunc, "void plastic a 0 0 5 1 1 1 0 0 void mixfunc m 4 a void .5 . 0 0"},
     };
+    const test::DataFiles data = test::write_data(folder);
+    const std::string white = " plastic m 0 0 5 1 1 1 0 0";
+    const std::string both = "void plastic a 0 0 5 1 1 1 0 0 void metal b 0 0 5 .5 .5 .5 1 0 void ";
+    all.insert(all.end(),
+               {{brightdata, "void brightdata map 5 noop " + data.map + " . Px+1 Py 0 0 map" + white},
+                {colordata, "void colordata map 9 red green blue " + data.map + " " + data.map + " " +
+                                data.map + " . Px Py 0 0 map" + white},
+                {colorpict,
+                 "void colorpict map 7 clip_r clip_g clip_b " + data.picture + " . Px Py 0 0 map" + white},
+                {spectrum, "void spectrum s 0 0 6 380 780 .5 .6 .5 .4 s" + white},
+                {specfile, "void specfile s 1 " + data.spectrum + " 0 0 s" + white},
+                {specfunc, "void specfunc s 2 clip . 0 2 400 700 s" + white},
+                {specdata, "void specdata s 5 min " + data.spectra + " . Px Py 0 0 s" + white},
+                {specpict, "void specpict s 5 min " + data.spectral_picture + " . Px Py 0 0 s" + white},
+                {texdata, "void texdata bumps 9 red green blue " + data.map + " " + data.map + " " +
+                              data.map + " . Px Py 0 0 bumps plastic m 0 0 5 1 1 1 .2 .1"},
+                {mixdata, both + "mixdata m 7 a b noop " + data.map + " . Px Py 0 0"},
+                {mixpict, both + "mixpict m 7 a b grey " + data.picture + " . Px Py 0 0"}});
     for (const auto& table : test::write_tables(folder)) {
         all.push_back({nrlbrdf, "void nrlbrdf m 1 " + table.path + " 0 5 1 1 .5 4 .2"});
         all.push_back({nrlbrdf, "void nrlbrdf m 1 " + table.path + " 0 8 1 1 .5 4 .2 2 2 2", 2});
@@ -99,6 +120,30 @@ TEST(EveryModifier, ShowsItsEmissionWhereNothingElseShines) {
         EXPECT_EQ(scene.radiance({0.1, 0.2, 3}, {0, 0, -1})[0], static_cast<float>(example.emission))
             << example.text;
     }
+}
+
+// VALIDATION V3: as warm as its surroundings, and with the emissivity that its reflection leaves, no material
+// can be told from them.
+TEST(EveryMaterial, OfOneTemperatureIsInvisibleInAFurnace) {
+    const test::TemporaryFolder folder;
+    const double black = band_radiance(300, 8, 12);
+    int tested = 0;
+    for (const Example& example : examples(folder)) {
+        if (example.emission > 0 || example.type == illum) continue;
+        SCOPED_TRACE(example.text);
+        ++tested;
+        test::TracedScene scene(example.text +
+                                    "\nvoid thermal skin 1 m 0 3 300 8 12 skin sphere ball 0 0 4 0 0 0 .5\n"
+                                    "void thermal wall 0 0 3 300 8 12 wall bubble room 0 0 4 0 0 0 2\n",
+                                test::path_settings());
+        const auto seen = scene.mean_radiance(8000, [](RandomStream& random) {
+            const Vec3 origin = test::direction(std::acos(1 - 2 * random.uniform()), 6 * random.uniform());
+            const Vec3 to = test::direction(std::acos(1 - 2 * random.uniform()), 6 * random.uniform());
+            return test::RaySpec{origin, to * 0.45 - origin};
+        });
+        test::expect_close(seen, black, 1e-3);
+    }
+    EXPECT_GE(tested, 12);
 }
 
 // The material of a scene's first surface, where it scatters.

@@ -38,7 +38,8 @@ TEST(TableLobe, SamplesFollowPdfAndCarryEval) {
             SCOPED_TRACE(file.name + ", viewer at " + std::to_string(view) + " deg");
             const LobeSampler sampler(std::make_shared<const TableDistribution>(file.table), 0.2);
             const double albedo = file.table->lobe_reflectance_dh(std::cos(view * degree));
-            const TableLobe lobe(Spectrum(3, 1), albedo, sampler, frame.normal, frame.normal,
+            const TableLobe lobe(Spectrum(3, static_cast<float>(albedo)), albedo, sampler, nullptr,
+                                 frame.normal, frame.normal,
                                  frame.to_scene(test::direction(view * degree, 1.1)), 1);
             RandomStream random(5, ++number);
             const auto pdf = [&](const Vec3& wi) { return lobe.pdf(frame.to_scene(wi)); };
@@ -89,7 +90,7 @@ TEST(TableLobe, SampleCountFollowsTheWeightOfTheRay) {
     const test::TemporaryFolder folder;
     const auto file = test::write_tables(folder).front();
     const LobeSampler sampler(std::make_shared<const TableDistribution>(file.table), 0.2);
-    const TableLobe lobe(Spectrum(3, 1), 0.5, sampler, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 64);
+    const TableLobe lobe(Spectrum(3, 0.5f), 0.5, sampler, nullptr, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 64);
     EXPECT_EQ(lobe.sample_count(1), 64);
     EXPECT_EQ(lobe.sample_count(0.25), 16);
     EXPECT_EQ(lobe.sample_count(1e-4), 1);

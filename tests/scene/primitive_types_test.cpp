@@ -7,7 +7,7 @@
 namespace infra {
 namespace {
 
-// Every type of RADIANCE 6.1's reference manual, section 2.1, and the two of ours.
+// Every type of RADIANCE 6.1's reference manual, section 2.1, and the three of ours.
 const std::set<std::string_view> documented = {
     "source",    "sphere",     "bubble",    "polygon",    "cone",       "cup",        "cylinder",
     "tube",      "ring",       "instance",  "mesh",       "light",      "illum",      "glow",
@@ -17,7 +17,7 @@ const std::set<std::string_view> documented = {
     "transdata", "BSDF",       "aBSDF",     "WGMDfunc",   "antimatter", "texfunc",    "texdata",
     "colorfunc", "brightfunc", "colordata", "brightdata", "colorpict",  "colortext",  "brighttext",
     "spectrum",  "specfile",   "specfunc",  "specdata",   "specpict",   "mixfunc",    "mixdata",
-    "mixpict",   "mixtext",    "alias",     "emissive",   "nrlbrdf"};
+    "mixpict",   "mixtext",    "alias",     "emissive",   "nrlbrdf",    "thermal"};
 
 TEST(PrimitiveTypes, HoldsEveryDocumentedTypeOnce) {
     std::set<std::string_view> names;
@@ -31,7 +31,7 @@ TEST(PrimitiveTypes, HoldsEveryDocumentedTypeOnce) {
 }
 
 TEST(PrimitiveTypes, UnknownNames) {
-    EXPECT_FALSE(find_primitive_type("thermal"));
+    EXPECT_FALSE(find_primitive_type("furnace"));
     EXPECT_FALSE(find_primitive_type("Sphere"));
     EXPECT_EQ(nearest_primitive_type("sphree"), "sphere");
     EXPECT_EQ(nearest_primitive_type("xyzzy"), "");
@@ -70,8 +70,9 @@ INSTANTIATE_TEST_SUITE_P(
         Counts{"spectrum", 0, 4, false}, Counts{"spectrum", 0, 40, true}, Counts{"mirror", 0, 3, true},
         Counts{"mirror", 1, 3, true}, Counts{"mirror", 2, 3, false}, Counts{"emissive", 0, 3, true},
         Counts{"emissive", 1, 4, true}, Counts{"emissive", 1, 5, false}, Counts{"emissive", 2, 3, false},
-        Counts{"nrlbrdf", 1, 5, true}, Counts{"nrlbrdf", 1, 8, true}, Counts{"nrlbrdf", 1, 6, false},
-        Counts{"nrlbrdf", 0, 5, false}, Counts{"brightfunc", 2, 0, true}, Counts{"brightfunc", 1, 0, false}));
+        Counts{"nrlbrdf", 1, 5, true}, Counts{"nrlbrdf", 3, 5, true}, Counts{"nrlbrdf", 1, 8, true},
+        Counts{"nrlbrdf", 1, 6, false}, Counts{"nrlbrdf", 0, 5, false}, Counts{"brightfunc", 2, 0, true},
+        Counts{"brightfunc", 1, 0, false}));
 
 TEST(PrimitiveTypes, RulesInWords) {
     EXPECT_EQ(info(PrimitiveType::sphere).reals.text(), "4");

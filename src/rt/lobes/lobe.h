@@ -3,7 +3,8 @@
 // A lobe is built for one hit. wi points to where the radiance comes from and leaves the surface; directions
 // are in scene coordinates. The lobe's radiance is coefficient * E[weight * L(wi)] over its samples, so that
 // `coefficient` is its colour times its directional albedo, and the weights average to 1 (or less, where a
-// model loses energy).
+// model loses energy). A lobe whose shape is not the same in all channels is `colored`: then its weight, and
+// its eval(), are a mean over the channels, and tint() says what each has of it.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +29,8 @@ class Lobe {
     bool redraws =
         false;  ///< samples of no weight are replaced until `count` are traced, and divided by all draws
 
+    bool colored = false;
+
     /// f |cos| [1/sr] over `coefficient`, for a light source of solid angle omega [sr] around wi; 0 on the
     /// wrong side. Some models widen the lobe by the source's size, as RADIANCE does; omega = 0 gives the
     /// lobe itself.
@@ -36,6 +39,8 @@ class Lobe {
     virtual LobeDraw sample(RandomStream& random, int count) const = 0;
     /// Density of sample() at wi [1/sr].
     virtual double pdf(const Vec3& wi) const = 0;
+    /// Each channel's factor on eval() and on a sample's weight at wi. Asked of colored lobes only.
+    virtual void tint(const Vec3&, Spectrum& factor) const { factor.fill(1.0f); }
     /// Number of samples wanted for a ray of this weight, at least 1.
     virtual int sample_count(double ray_weight) const = 0;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "nrlbrdf/sampler.h"
+#include "nrlbrdf/spectral_table.h"
 #include "rt/lobes/lobe.h"
 #include "rt/ray.h"
 #include "rt/settings.h"
@@ -12,17 +13,20 @@ namespace infra {
 
 class TableLobe final : public Lobe {
   public:
-    /// color: factor on the table; albedo: the lobe's directional-hemispherical reflectance for this viewer,
-    /// > 0.
-    /// normal carries the textures; no sample goes below surface_normal.
-    TableLobe(const Spectrum& color, double albedo, const LobeSampler& sampler, const Vec3& normal,
-              const Vec3& surface_normal, const Vec3& to_viewer, double samples)
-        : Lobe(reflected_lobe, color * static_cast<float>(albedo)),
+    /// coefficient: color times each channel's directional-hemispherical reflectance of the lobe for this
+    /// viewer; albedo: that of the sampler's table, > 0. spectral: the tables of the channels, nullptr when
+    /// the sampler's is that of all. normal carries the textures; no sample goes below surface_normal.
+    TableLobe(const Spectrum& lobe_coefficient, double albedo, const LobeSampler& sampler,
+              const SpectralTable* spectral, const Vec3& normal, const Vec3& surface_normal,
+              const Vec3& to_viewer, double samples)
+        : Lobe(reflected_lobe, lobe_coefficient),
           sampler_(sampler),
+          spectral_(spectral),
           normal_(normal),
           surface_normal_(surface_normal),
           inverse_albedo_(1.0 / albedo),
           samples_(samples) {
+        colored = spectral != nullptr;
         make_frame(normal, u_, v_);
         wo_ = to_local(to_viewer);
     }
@@ -42,6 +46,14 @@ class TableLobe final : public Lobe {
 
     double pdf(const Vec3& wi) const override { return sampler_.pdf(wo_, to_local(wi)); }
 
+    void tint(const Vec3& wi, Spectrum& factor) const override {
+        const Vec3 local = to_local(wi);
+        const double mean = sampler_.table().eval_lobe(wo_, local) * inverse_albedo_;
+        if (!(mean > 0)) return factor.clear();
+        spectral_->normalized_lobe(wo_, local, factor);
+        factor *= static_cast<float>(1.0 / mean);
+    }
+
     int sample_count(double ray_weight) const override {
         return std::max(1, static_cast<int>(std::min<double>(samples_ * ray_weight + 0.5, most_samples)));
     }
@@ -50,6 +62,7 @@ class TableLobe final : public Lobe {
     Vec3 to_local(const Vec3& d) const { return {dot(d, u_), dot(d, v_), dot(d, normal_)}; }
 
     const LobeSampler& sampler_;
+    const SpectralTable* spectral_;
     Vec3 normal_, surface_normal_, u_, v_, wo_;
     double inverse_albedo_;
     double samples_;

@@ -10,28 +10,16 @@
 // emitter. Patterns on `mod` scale Le. maxrad is that of glow: within it the front is sampled as a light
 // source; with 0 (or without it) indirect rays find the surface.
 #include "rt/materials/emissive_material.h"
+#include "rt/materials/wrapper.h"
 #include "rt/tracer.h"
 
 namespace infra {
-namespace {
-
-MaterialTraits traits_of(std::string_view name, const Modifier* reflecting) {
-    const Modifier* material = Modifier::material_of(reflecting);
-    MaterialTraits traits{.name = name, .blocks_light = true};
-    if (material) {
-        traits.transparent = material->traits()->transparent;
-        traits.blocks_light = material->traits()->blocks_light;
-    }
-    return traits;
-}
-
-}  // namespace
 
 EmissiveMaterial::EmissiveMaterial(std::string_view name, const Modifier* next, const Spectrum& radiance,
                                    double reach, const Modifier* reflecting)
     : Modifier(name, next),
       Emitter(Kind::glow, radiance),
-      traits_(traits_of(name, reflecting)),
+      traits_(wrapper_traits(name, reflecting)),
       reflecting_(reflecting) {
     reach_ = reach;
 }
@@ -53,16 +41,9 @@ bool EmissiveMaterial::counts(const Tracer& tracer, const Interaction& at) const
 }
 
 void EmissiveMaterial::add_emission(Tracer& tracer, Interaction& at) const {
-    if (!next()) {
-        at.radiance.add_product(radiance_, at.pattern);
-        return;
-    }
-    const Spectrum pattern = at.pattern;
-    const Vec3 perturbation = at.perturbation;
-    tracer.apply_patterns(next(), at);
-    at.radiance.add_product(radiance_, at.pattern);
-    at.pattern = pattern;  // what modifies the emission does not modify the reflecting material
-    at.perturbation = perturbation;
+    Spectrum pattern(at.channels());
+    emission_pattern(*this, tracer, at, pattern);
+    at.radiance.add_product(radiance_, pattern);
 }
 
 bool EmissiveMaterial::shade(Tracer& tracer, Interaction& at) const {
@@ -91,11 +72,7 @@ bool EmissiveMaterial::shade(Tracer& tracer, Interaction& at) const {
 
 std::unique_ptr<Modifier> make_emissive(ModifierContext& context) {
     const auto numbers = context.reals();
-    const auto strings = context.strings();
-    const Modifier* reflecting = strings.empty() ? nullptr : context.modifier_named(strings[0]);
-    if (reflecting && !Modifier::material_of(reflecting))
-        throw context.error("\"" + std::string(strings[0]) + "\" is not a material",
-                            "name a material, or void");
+    const Modifier* reflecting = wrapped_material(context);
     return std::make_unique<EmissiveMaterial>(context.name(), context.next, context.color(0),
                                               numbers.size() > 3 ? numbers[3] : 0.0, reflecting);
 }

@@ -1,5 +1,8 @@
 #include "rt/mixtures/mixture.h"
 
+#include <algorithm>
+
+#include "rt/modifier_table.h"
 #include "rt/tracer.h"
 
 namespace infra {
@@ -21,11 +24,25 @@ void mix(Spectrum& result, const Spectrum& a, double share, const Spectrum& b) {
 
 }  // namespace
 
-bool shade_mixture(Tracer& tracer, Interaction& at, const Modifier* foreground, const Modifier* background,
-                   double share) {
+Mixture::Mixture(ModifierContext& context)
+    : Modifier(context.name(), context.next),
+      traits_{.name = context.name(), .is_mixture = true},
+      foreground_(context.modifier_named(context.strings()[0])),
+      background_(context.modifier_named(context.strings()[1])),
+      mixes_materials_(material_of(foreground_) || material_of(background_)) {
+    if (context.next && mixes_materials_)
+        throw context.error("inappropriate modifier on a mixture of materials",
+                            "modify the materials instead");
+}
+
+bool Mixture::shade(Tracer& tracer, Interaction& at) const {
+    double share;
+    if (!foreground_share(tracer, at, share)) return false;
+    share = std::clamp(share, 0.0, 1.0);
+
     Interaction fore = at, back = at;
-    const bool fore_material = shade_part(tracer, fore, foreground, share);
-    const bool back_material = shade_part(tracer, back, background, 1.0 - share);
+    const bool fore_material = shade_part(tracer, fore, foreground_, share);
+    const bool back_material = shade_part(tracer, back, background_, 1.0 - share);
     if (back_material && !fore_material && share > negligible) tracer.pass_through(fore);
     if (fore_material && !back_material && 1.0 - share > negligible) tracer.pass_through(back);
 

@@ -36,21 +36,20 @@ constexpr OutputLetter letters[] = {
     {'o', "origin", 3, false, [](const Scene&, const Hit& at, Out& out) { out.vector(at.ray->origin); }},
     {'d', "direction", 3, false,
      [](const Scene&, const Hit& at, Out& out) { out.vector(at.ray->direction); }},
-    {'r', "reflect_contrib", per_channel, true,
-     [](const Scene&, const Hit& at, Out& out) { out.spectrum(at.mirrored); }},
+    {'r', "reflect_contrib", per_value, true,
+     [](const Scene&, const Hit& at, Out& out) { out.radiance(at.mirrored); }},
     {'R', "reflect_length", 1, true,
      [](const Scene&, const Hit& at, Out& out) { out.real(at.mirrored_distance); }},
-    {'x', "unreflect_contrib", per_channel, true,
+    {'x', "unreflect_contrib", per_value, true,
      [](const Scene&, const Hit& at, Out& out) {
          Spectrum rest = at.radiance;
-         out.spectrum(rest -= at.mirrored);
+         out.radiance(rest -= at.mirrored);
      }},
     {'X', "unreflect_length", 1, true,
      [](const Scene&, const Hit& at, Out& out) { out.real(at.direct_distance); }},
-    {'v', "value", per_channel, true,
-     [](const Scene&, const Hit& at, Out& out) { out.spectrum(at.radiance); }},
-    {'V', "contribution", per_channel, true,
-     [](const Scene&, const Hit& at, Out& out) { out.spectrum(contribution(at) *= at.radiance); }},
+    {'v', "value", per_value, true, [](const Scene&, const Hit& at, Out& out) { out.radiance(at.radiance); }},
+    {'V', "contribution", per_value, true,
+     [](const Scene&, const Hit& at, Out& out) { out.radiance(contribution(at) *= at.radiance); }},
     {'l', "length", 1, true, [](const Scene&, const Hit& at, Out& out) { out.real(at.apparent_distance()); }},
     {'L', "first_length", 1, false, [](const Scene&, const Hit& at, Out& out) { out.real(at.distance); }},
     // Only meshes have local coordinates.
@@ -69,9 +68,9 @@ constexpr OutputLetter letters[] = {
          out.name(at.hit() ? scene.surface_name(at.surface) : nothing_met);
      }},
     {'w', "weight", 1, false, [](const Scene&, const Hit& at, Out& out) { out.real(at.ray->weight); }},
-    {'W', "coefficient", per_channel, true,
+    {'W', "coefficient", per_value, true,
      [](const Scene& scene, const Hit& at, Out& out) {
-         out.spectrum(missed_its_source(scene, at) ? Spectrum(at.channels()) : contribution(at));
+         out.share(missed_its_source(scene, at) ? Spectrum(at.channels()) : contribution(at));
      }},
     {'m', "modifier", 1, false,
      [](const Scene& scene, const Hit& at, Out& out) {
@@ -108,11 +107,11 @@ bool OutputSpec::has_any(std::string_view wanted) const {
     return std::any_of(primary.begin(), primary.end(), found);
 }
 
-int OutputSpec::components(int channels) const {
+int OutputSpec::components(int numbers) const {
     if (has_tree()) return 0;
     int sum = 0;
     for (const OutputLetter* letter : primary)
-        sum += letter->components == per_channel ? channels : letter->components;
+        sum += letter->components == per_value ? numbers : letter->components;
     return sum;
 }
 

@@ -13,13 +13,13 @@
 
 namespace infra {
 
-/// Numbers written: this many, or one a channel.
-inline constexpr int per_channel = -1;
+/// Numbers written: this many, or as many as the output makes of a spectrum.
+inline constexpr int per_value = -1;
 
 struct OutputLetter {
     char letter;
     const char* name;     ///< as -defaults puts it
-    int components;       ///< numbers, names count as one; per_channel
+    int components;       ///< numbers, names count as one; per_value
     bool needs_radiance;  ///< otherwise finding what the ray meets is enough
     void (*write)(const CompiledScene& scene, const Interaction& at, ValueWriter& out);
 };
@@ -35,8 +35,8 @@ struct OutputSpec {
     bool has_tree() const { return !tree.empty(); }
     bool needs_radiance() const;
     bool has_any(std::string_view letters) const;  ///< among the primary ones
-    /// Numbers a ray as NCOMP= tells them; 0 when there is no such figure.
-    int components(int channels) const;
+    /// Numbers a ray as NCOMP= tells them, `numbers` of each spectrum; 0 when there is no such figure.
+    int components(int numbers) const;
 };
 
 /// throws Error for an unknown letter or an empty text.

@@ -46,6 +46,7 @@ WarningSink warning_sink(const std::string& program, const RenderOptions& option
 
 void TracerFaults::add(Tracer& tracer) {
     bad_values += tracer.bad_values();
+    bad_temperatures += tracer.bad_temperatures();
     const std::uint64_t faults = tracer.evaluator().fault_count();
     function_faults += faults;
     if (faults > 0) last_function_fault = tracer.evaluator().last_fault();
@@ -55,6 +56,10 @@ void TracerFaults::report(const WarningSink& warn) const {
     if (bad_values > 0)
         warn(formatted("%llu radiances were not finite and count as 0",
                        static_cast<unsigned long long>(bad_values)));
+    if (bad_temperatures > 0)
+        warn(formatted(
+            "%llu temperatures of thermal surfaces were not above 0 K, and nothing is emitted there",
+            static_cast<unsigned long long>(bad_temperatures)));
     if (function_faults > 0)
         warn(
             formatted("%llu function values were undefined, and their patterns, textures or mixtures left "

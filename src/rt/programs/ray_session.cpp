@@ -29,6 +29,7 @@ class RaySession {
         : scene_(scene),
           options_(options),
           spec_(spec),
+          converter_(options.color, scene.channels()),
           input_(input, options.input),
           output_(output),
           workers_(spec.has_tree() ? 1 : options.threads) {
@@ -111,14 +112,14 @@ class RaySession {
 
         std::optional<TreePrinter> tree;
         if (spec_.has_tree()) {
-            tree.emplace(scene_, spec_, options_.tree_filter, options_.output, text);
+            tree.emplace(scene_, spec_, options_.tree_filter, options_.output, converter_, text);
             tracer.set_observer(&*tree, spec_.trace_sources);
         }
         if (request.length > 0) follow(tracer, at);
         tracer.set_observer(nullptr, false);
         if (spec_.primary.empty()) return;
 
-        ValueWriter writer(options_.output, text);
+        ValueWriter writer(options_.output, converter_, text);
         for (const OutputLetter* letter : spec_.primary) letter->write(scene_, at, writer);
         writer.end_of_ray();
     }
@@ -135,6 +136,7 @@ class RaySession {
     const CompiledScene& scene_;
     const RtraceOptions& options_;
     const OutputSpec& spec_;
+    const ValueConverter converter_;
     RayInput input_;
     std::FILE* output_;
     Workers workers_;

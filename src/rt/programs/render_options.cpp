@@ -70,8 +70,22 @@ void add_mist_rows(OptionTable& table) {
     add_zero_option(table, "-ms", "f", "-ms 0.000000", "mist sampling distance", reason);
 }
 
+void add_air_row(OptionTable& table, RenderSettings& settings) {
+    table
+        .custom(
+            "-mp", "s", [&settings](const OptionValues& given) { settings.air_path = given.text(0); },
+            "medium path: transmittance and radiance of the air along camera rays")
+        .named("file");
+}
+
 void add_channel_rows(OptionTable& table, RenderOptions& options) {
-    table.integer("-cs", &options.channel_count, "number of spectral bins").at_least(Channels::fewest);
+    const RenderOptions* const o = &options;
+    const auto shown_if_spectral = [o](const std::string& text) {
+        return o->channel_count > Channels::fewest ? text : "";
+    };
+    table.integer("-cs", &options.channel_count, "number of spectral bins")
+        .at_least(Channels::fewest)
+        .shown([=] { return shown_if_spectral(formatted("-cs %-2d", o->channel_count)); });
     table
         .custom(
             "-cw", "ff",
@@ -79,7 +93,13 @@ void add_channel_rows(OptionTable& table, RenderOptions& options) {
                 for (int i = 0; i < 2; ++i) options.wavelength_ends[i] = given.real(i);
             },
             "wavelength limits (nm)")
-        .named("nmA nmB");
+        .named("nmA nmB")
+        .shown([=] {
+            const bool given = o->wavelength_ends[0] != 0 || o->wavelength_ends[1] != 0;
+            return shown_if_spectral(
+                given ? formatted("-cw %3.0f %3.0f", o->wavelength_ends[1], o->wavelength_ends[0])
+                      : "-cw 380 780");  // in that order: RADIANCE's
+        });
 }
 
 void add_limit_rows(OptionTable& table, RenderSettings& settings) {
@@ -175,6 +195,7 @@ void add_render_options(OptionTable& table, RenderOptions& options) {
     table.real("-st", &settings.specular_threshold, "specular threshold");
     add_ambient_rows(table, options);
     add_mist_rows(table);
+    add_air_row(table, settings);
     add_channel_rows(table, options);
     add_limit_rows(table, settings);
     add_definition_rows(table, options);

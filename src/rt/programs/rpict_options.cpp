@@ -10,13 +10,7 @@ namespace {
 std::string spread(const char* spelling, int value) { return formatted("%s  %-9d", spelling, value); }
 
 void add_pixel_rows(OptionTable& table, RpictOptions& options) {
-    const std::string color = "only RGB pictures are built yet";
-    table
-        .custom(
-            "-pRGB", "", [](const OptionValues&) {}, "standard RGB color output")
-        .shown([] { return std::string("-pRGB"); });
-    table.unsupported("-pXYZ", "", color);
-    table.unsupported("-pc", "ffffffff", color);
+    add_primaries_rows(table, options.color);
     table.real("-pa", &options.pixel_aspect, "pixel aspect ratio").at_least(0);
     table.real("-pj", &options.pixel_jitter, "pixel jitter");
     add_zero_option(table, "-pm", "f", "-pm 0.000000", "pixel motion",
@@ -28,7 +22,12 @@ void add_pixel_rows(OptionTable& table, RpictOptions& options) {
 }
 
 void add_output_rows(OptionTable& table, RpictOptions& options) {
-    table.text("-o", &options.output, "picture file; .exr is written as float OpenEXR").named("file");
+    add_spectrum_row(table, options.color, options.render.channel_count).unlisted().help =
+        "write RADIANCE's spectral format, one value a channel";
+    table
+        .text("-o", &options.output,
+              "picture file; .exr is written as float OpenEXR with all channels, .hsr as spectra")
+        .named("file");
     table.text("-z", &options.depth_output, "file for the distances of the pixels, raw floats").named("file");
     const std::string sequences = "rendering a sequence of views is not built yet";
     const std::string recovery = "an unfinished picture is never kept, so none can be finished";

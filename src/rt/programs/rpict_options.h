@@ -4,6 +4,7 @@
 #include <string>
 
 #include "common/view.h"
+#include "rt/programs/output_color.h"
 #include "rt/programs/render_options.h"
 
 namespace infra {
@@ -19,6 +20,7 @@ struct RpictOptions {
     double sample_contrast = 0.05;  ///< -pt: relative difference that asks for samples in between
     int report_seconds = 0;         ///< -t
     int threads = 0;                ///< -n: 0 means all cores
+    OutputColor color;              ///< -p, -co
     std::string output;             ///< -o: empty means the standard output
     std::string depth_output;       ///< -z
 };

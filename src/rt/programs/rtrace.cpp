@@ -13,13 +13,16 @@ namespace {
 
 /// No date among the lines: the same command gives the same bytes.
 std::string header_text(const std::vector<std::string>& first_lines, const RtraceOptions& options,
-                        int components) {
+                        const OutputSpec& spec, const Channels& channels) {
+    const OutputColor color = for_channels(options.color, channels);
+    const int components = spec.components(ValueConverter(color, channels).components());
     std::string text = "#?RADIANCE\n";
     for (const std::string& line : first_lines) text += line + "\n";
     if (components > 0) text += formatted("NCOMP=%d\n", components);
+    for (const std::string& line : color_header_lines(color, channels)) text += line + "\n";
     if (options.output == NumberFormat::floats || options.output == NumberFormat::doubles)
         text += formatted("BigEndian=%d\n", std::endian::native == std::endian::big ? 1 : 0);
-    return text + "FORMAT=" + format_name(options.output) + "\n\n";
+    return text + "FORMAT=" + format_name(options.output, color) + "\n\n";
 }
 
 }  // namespace
@@ -36,13 +39,15 @@ int rtrace(int argc, char** argv) {
     const WarningSink warn = warning_sink(table.program(), options.render);
     const OutputSpec spec = output_spec(options, warn);
 
+    if (const std::string text = color_warning(options.color, options.render.channels()); !text.empty())
+        warn(text);
     const LoadedScene loaded = load_scene(operands->front(), options.render, warn);
     if (spec.needs_radiance())
         for (const std::string& warning : loaded.scene->warnings()) warn(warning);
     std::string opening;
     if (options.header)
-        opening = header_text(header_lines(loaded.header, table.command_line()), options,
-                              spec.components(loaded.scene->channel_count()));
+        opening = header_text(header_lines(loaded.header, table.command_line()), options, spec,
+                              loaded.scene->channels());
     if (options.width > 0 && options.height > 0)
         opening += formatted("-Y %8d +X %8d\n", options.height, options.width);
     std::fwrite(opening.data(), 1, opening.size(), stdout);

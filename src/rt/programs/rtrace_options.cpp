@@ -35,8 +35,8 @@ void add_stream_rows(OptionTable& table, RtraceOptions& options) {
             "format of input and output: a text, f float, d double, c color (output only)")
         .shown([o] { return formatted("-f%c%c", static_cast<char>(o->input), static_cast<char>(o->output)); })
         .remark([o] {
-            return std::string("format input/output = ") + format_name(o->input) + "/" +
-                   format_name(o->output);
+            return std::string("format input/output = ") + format_name(o->input, o->color) + "/" +
+                   format_name(o->output, o->color);
         });
     std::string help = "output:";
     for (const OutputLetter& letter : output_letters())
@@ -47,17 +47,6 @@ void add_stream_rows(OptionTable& table, RtraceOptions& options) {
             "-o", "", [o](const OptionValues& given) { o->letters = given.attached; }, help)
         .shown([o] { return formatted("-o%-9s", o->letters.c_str()); })
         .remark([o] { return "output" + output_names(o->letters); });
-}
-
-void add_color_rows(OptionTable& table) {
-    const std::string color = "only RGB values are written so far";
-    table
-        .custom(
-            "-pRGB", "", [](const OptionValues&) {}, "standard RGB color output")
-        .shown([] { return std::string("-pRGB"); });
-    for (const char* spelling : {"-pXYZ", "-pY", "-pS", "-pM", "-pA"}) table.unsupported(spelling, "", color);
-    table.unsupported("-pc", "ffffffff", color);
-    for (const char* spelling : {"-co", "-co+", "-co-"}) table.unsupported(spelling, "", color);
 }
 
 }  // namespace
@@ -72,7 +61,9 @@ OptionTable rtrace_option_table(RtraceOptions& options) {
     table.read_environment("RENDER_OPTIONS");
     add_warning_option(table, options.render);
     add_stream_rows(table, options);
-    add_color_rows(table);
+    add_primaries_rows(table, options.color);
+    add_response_rows(table, options.color);
+    add_spectrum_row(table, options.color, options.render.channel_count);
     add_render_options(table, options.render);
     add_name_filter(table, "-t", options.tree_filter, "in the tree of -ot");
     return table;
@@ -84,6 +75,9 @@ OutputSpec output_spec(const RtraceOptions& options, const WarningSink& warn) {
     if (options.output == NumberFormat::color && options.letters != "v" && options.letters != "r" &&
         options.letters != "x")
         throw Error("color format only with -ov, -or, -ox");
+    if (options.output == NumberFormat::color && options.color.is_single())
+        throw Error("color format incompatible with -pY, -pS, -pM, -pA",
+                    "they write one number, a pixel has three");
     if (irradiance && !spec.needs_radiance())
         throw Error("-I+ and -i+ options require some value output", "add v to the letters of -o");
     if (spec.has_any("VW")) warn("-oVW options require trace mode");

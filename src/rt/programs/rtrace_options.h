@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "rt/programs/output_color.h"
 #include "rt/programs/output_letters.h"
 #include "rt/programs/render_options.h"
 #include "scene/warnings.h"
@@ -22,6 +23,7 @@ struct RtraceOptions {
     NumberFormat input = NumberFormat::text;  ///< -f
     NumberFormat output = NumberFormat::text;
     std::string letters = "v";  ///< -o
+    OutputColor color;          ///< -p, -co
     NameFilter tree_filter;     ///< -ti -te
 
     /// Rays after which input ends, 0: no limit.

@@ -5,8 +5,8 @@
 namespace infra {
 
 TreePrinter::TreePrinter(const CompiledScene& scene, const OutputSpec& spec, const NameFilter& filter,
-                         NumberFormat format, std::string& out)
-    : scene_(scene), spec_(spec), filter_(filter), writer_(format, out) {}
+                         NumberFormat format, const ValueConverter& converter, std::string& out)
+    : scene_(scene), spec_(spec), filter_(filter), writer_(format, converter, out) {}
 
 bool TreePrinter::passes(const Interaction& at) const {
     const bool including = filter_.mode == NameFilter::Mode::include;

@@ -13,7 +13,7 @@ class TreePrinter : public RayObserver {
   public:
     /// filter: only rays that meet a surface with one of these modifiers, or without (-ti, -te).
     TreePrinter(const CompiledScene& scene, const OutputSpec& spec, const NameFilter& filter,
-                NumberFormat format, std::string& out);
+                NumberFormat format, const ValueConverter& converter, std::string& out);
 
     void observe(const Interaction& at) override;
 

@@ -1,6 +1,9 @@
 #include "rt/programs/value_writer.h"
 
+#include <array>
 #include <charconv>
+#include <cstdint>
+#include <span>
 
 #include "common/rgbe.h"
 
@@ -14,7 +17,7 @@ void append_raw(std::string& out, Number value) {
 
 }  // namespace
 
-const char* format_name(NumberFormat format) {
+const char* format_name(NumberFormat format, const OutputColor& color) {
     switch (format) {
         case NumberFormat::text:
             return "ascii";
@@ -23,7 +26,7 @@ const char* format_name(NumberFormat format) {
         case NumberFormat::doubles:
             return "double";
         case NumberFormat::color:
-            return "32-bit_rle_rgbe";
+            return pixel_format(color);
     }
     return "unknown";
 }
@@ -46,13 +49,19 @@ void ValueWriter::vector(const Vec3& value) {
     real(value.z);
 }
 
-void ValueWriter::spectrum(const Spectrum& value) {
+void ValueWriter::channels(const Spectrum& value) {
+    for (int c = 0; c < value.channels(); ++c) real(double(value[c]));
+}
+
+void ValueWriter::numbers(const ValueConverter::Numbers& numbers) {
+    const auto values = std::span(numbers.values).first(static_cast<std::size_t>(numbers.count));
     if (format_ == NumberFormat::color) {
-        const Rgbe pixel = to_rgbe(value[0], value[1], value[2]);
-        out_.append(pixel.begin(), pixel.end());
+        std::array<std::uint8_t, Channels::most + 1> pixel;
+        to_common_exponent(values, std::span(pixel).first(values.size() + 1));
+        out_.append(reinterpret_cast<const char*>(pixel.data()), values.size() + 1);
         return;
     }
-    for (int c = 0; c < value.channels(); ++c) real(double(value[c]));
+    for (const float value : values) real(double(value));
 }
 
 void ValueWriter::name(std::string_view value) { out_.append(value).push_back('\t'); }

@@ -6,24 +6,37 @@
 
 #include "common/spectrum.h"
 #include "common/vec.h"
+#include "rt/programs/value_converter.h"
 
 namespace infra {
 
 /// How numbers are written and read; the letter of -f.
 enum class NumberFormat : char { text = 'a', floats = 'f', doubles = 'd', color = 'c' };
 
-/// Name of a format in a FORMAT= line: "ascii", "float", "double", "32-bit_rle_rgbe".
-const char* format_name(NumberFormat format);
+/// Name of a format in a FORMAT= line: "ascii", "float", "double", or that of pixels of a color.
+const char* format_name(NumberFormat format, const OutputColor& color);
 
 /// Appends values to a string. Text is "%e" and a tab for each; raw numbers are in the machine's byte order.
 class ValueWriter {
   public:
-    ValueWriter(NumberFormat format, std::string& out) : format_(format), out_(out) {}
+    /// converter: outlives this.
+    ValueWriter(NumberFormat format, const ValueConverter& converter, std::string& out)
+        : format_(format),
+          converter_(converter),
+          plain_(converter.keeps_channels() && format != NumberFormat::color),
+          out_(out) {}
 
     void real(double value);
     void vector(const Vec3& value);
-    /// One number a channel, or one RGBE pixel.
-    void spectrum(const Spectrum& value);
+    /// What the converter makes of a radiance, or of a share of it: numbers, or one pixel.
+    void radiance(const Spectrum& value) {
+        if (plain_) return channels(value);
+        numbers(converter_.radiance(value));
+    }
+    void share(const Spectrum& value) {
+        if (plain_) return channels(value);
+        numbers(converter_.share(value));
+    }
     /// A name and a tab, in any format.
     void name(std::string_view value);
     /// Ends the line of a ray; text only.
@@ -32,7 +45,12 @@ class ValueWriter {
     void indent(int depth) { out_.append(static_cast<std::size_t>(depth), '\t'); }
 
   private:
+    void channels(const Spectrum& value);
+    void numbers(const ValueConverter::Numbers& numbers);
+
     NumberFormat format_;
+    const ValueConverter& converter_;
+    bool plain_;  ///< the numbers are the channels
     std::string& out_;
 };
 

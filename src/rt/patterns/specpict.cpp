@@ -1,0 +1,21 @@
+// specpict: multiplies each channel by the mean over its band of the spectra of a picture.
+//
+//     mod specpict id
+//     5+ func specfile funcfile u v transform
+//     0
+//     n A1 A2 .. An
+//
+// func(value, nm) is asked at the middle of each of the picture's bands; u and v as in colorpict. source:
+// RADIANCE reference manual, "Patterns".
+#include "rt/data_cache.h"
+#include "rt/modifier_table.h"
+#include "rt/patterns/spectral_table.h"
+
+namespace infra {
+
+std::unique_ptr<Modifier> make_specpict(ModifierContext& context) {
+    return std::make_unique<SpectralTablePattern>(context,
+                                                  shared_spectral_picture(context, context.strings()[1]));
+}
+
+}  // namespace infra

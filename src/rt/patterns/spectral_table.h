@@ -1,0 +1,29 @@
+// Spectra that vary with the place, from a table whose last coordinate is the wavelength: specdata, specpict.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/data_table.h"
+#include "rt/functions.h"
+#include "rt/modifier.h"
+
+namespace infra {
+
+class SpectralTablePattern final : public Modifier {
+  public:
+    static constexpr std::size_t most_wavelengths = 4096;
+
+    /// String arguments: func file funcfile x1 x2.. transform, with func(value, nm).
+    SpectralTablePattern(ModifierContext& context, std::shared_ptr<const DataTable> table);
+
+    bool shade(Tracer& tracer, Interaction& at) const override;
+
+  private:
+    std::shared_ptr<const DataTable> table_;
+    FunctionSet functions_;
+    double nm_first_, nm_step_;
+    std::vector<DataAxis::Cell> cells_;  ///< of evenly spaced wavelengths among the table's own
+};
+
+}  // namespace infra

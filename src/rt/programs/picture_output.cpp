@@ -1,0 +1,125 @@
+#include "rt/programs/picture_output.h"
+
+#include <sys/stat.h>
+
+#include <cstdio>
+#include <utility>
+
+#include "common/atomic_file.h"
+#include "common/format.h"
+#include "common/spectral_header.h"
+#include "common/version.h"
+#include "rt/programs/value_converter.h"
+
+namespace infra {
+namespace {
+
+using Kind = OutputColor::Kind;
+
+/// RADIANCE's standard primaries, which tell other programs that the channels are its RGB.
+constexpr const char* standard_primaries =
+    "PRIMARIES= 0.6400 0.3300 0.2900 0.6000 0.1500 0.0600 0.3333 0.3333";
+
+bool has_ending(const std::string& path, const std::string& lower, const std::string& upper) {
+    return path.ends_with(lower) || path.ends_with(upper);
+}
+bool is_exr(const std::string& path) { return has_ending(path, ".exr", ".EXR"); }
+bool is_hsr(const std::string& path) { return has_ending(path, ".hsr", ".HSR"); }
+
+/// Pixel by pixel what the converter makes of the radiances.
+Picture converted(const Picture& picture, const OutputColor& color, const Channels& channels) {
+    const ValueConverter converter(color, channels);
+    Picture result{.width = picture.width, .height = picture.height, .channels = converter.components()};
+    result.space = color.kind == Kind::xyz ? ColorSpace::xyz : ColorSpace::rgb;
+    result.pixels.reserve(picture.pixels.size() / picture.channels * result.channels);
+    Spectrum radiance(picture.channels);
+    for (std::size_t first = 0; first < picture.pixels.size(); first += picture.channels) {
+        for (int c = 0; c < picture.channels; ++c) radiance.set(c, picture.pixels[first + c]);
+        const ValueConverter::Numbers numbers = converter.radiance(radiance);
+        result.pixels.insert(result.pixels.end(), numbers.values.begin(),
+                             numbers.values.begin() + numbers.count);
+    }
+    return result;
+}
+
+/// The picture with the channels that are to be written. RGB in other primaries passes as it is: whoever
+/// gives -pc to RGB channels says what the scene's colors are.
+Picture in_output_channels(Picture picture, const RpictOptions& options, const Channels& channels) {
+    const bool as_they_are = channels.is_rgb() && options.color.kind != Kind::xyz;
+    if (writes_colors(options) && !as_they_are) return converted(picture, options.color, channels);
+    if (!channels.is_rgb()) picture.bands = channels;
+    return picture;
+}
+
+PictureHeader picture_header(const std::vector<std::string>& first_lines, const RpictOptions& options,
+                             const Picture& picture, const Channels& channels) {
+    PictureHeader header;
+    header.lines = first_lines;
+    header.add("VIEW=" + format_view(options.view));
+    if (options.pixel_aspect < 0.995 || options.pixel_aspect > 1.005)
+        header.add(formatted("PIXASPECT=%f", options.pixel_aspect));
+    if (options.color.kind == Kind::primaries && !picture.bands) {
+        for (const std::string& line : color_header_lines(options.color, channels)) header.add(line);
+    } else if (picture.space == ColorSpace::rgb) {
+        header.add(standard_primaries);
+    }
+    return header;
+}
+
+ExrDescription describe(const RpictOptions& options, const Picture& picture,
+                        const std::string& command_line) {
+    const bool irradiance = options.render.settings.irradiance;
+    ExrDescription description{.program = command_line,
+                               .view = format_view(options.view),
+                               .quantity = irradiance ? "irradiance" : "radiance",
+                               .unit = irradiance ? "W.m-2" : "W.m-2.sr-1",
+                               .band = {},
+                               .software = version_string()};
+    if (picture.space == ColorSpace::xyz) {
+        description.quantity = "tristimulus values";
+        description.unit.clear();
+    }
+    if (picture.bands) description.band = band_in_um(*picture.bands);
+    return description;
+}
+
+void write_depth(const std::string& path, const std::vector<float>& depth) {
+    AtomicFile file(path);
+    std::fwrite(depth.data(), sizeof(float), depth.size(), file.stream());
+    file.commit();
+}
+
+/// Pipes and devices are left alone: opening them has consequences.
+void check_writable(const std::string& path) {
+    struct stat status {};
+    const bool exists = stat(path.c_str(), &status) == 0;
+    if (!path.empty() && (!exists || S_ISREG(status.st_mode))) AtomicFile probe(path);
+}
+
+}  // namespace
+
+bool writes_colors(const RpictOptions& options) {
+    if (options.color.kind == Kind::spectrum || is_hsr(options.output)) return false;
+    return !is_exr(options.output) || options.color.kind != Kind::rgb;
+}
+
+void check_writable(const RpictOptions& options) {
+    check_writable(options.output);
+    check_writable(options.depth_output);
+}
+
+void write_frame(Frame frame, const Channels& channels, const RpictOptions& options,
+                 const std::vector<std::string>& first_lines, const std::string& command_line) {
+    Picture picture = in_output_channels(std::move(frame.picture), options, channels);
+    picture.header = picture_header(first_lines, options, picture, channels);
+    if (!options.depth_output.empty()) write_depth(options.depth_output, frame.depth);
+    if (is_exr(options.output)) {
+        write_exr(options.output, picture, describe(options, picture, command_line));
+    } else if (!options.output.empty()) {
+        write_hdr(options.output, picture);
+    } else {
+        write_hdr(stdout, picture);
+    }
+}
+
+}  // namespace infra
