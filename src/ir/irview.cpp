@@ -7,6 +7,7 @@
 
 #include "common/error.h"
 #include "common/false_color.h"
+#include "common/format.h"
 #include "common/picture.h"
 #include "common/version.h"
 #include "ir/apparent_temperature.h"
@@ -40,28 +41,60 @@ Picture shown_values(const Picture& picture, const IrviewArguments& arguments) {
     return apparent_temperature(picture, scale, *arguments.temperature);
 }
 
-/// One channel: that asked for, or the mean of all. The mean is taken of radiances, before temperatures.
+/// One channel: that asked for, or the mean of all. The mean is taken of radiances, before temperatures. Of a
+/// spectral picture the radiance in the channel's band, or in the whole range.
 Picture single_channel(const Picture& picture, int channel) {
+    if (picture.bands) return in_band_radiance(picture, channel);
     Plane plane = plane_of(picture, channel);
-    return {plane.width, plane.height, 1, ColorSpace::spectrum, std::move(plane.values), picture.header};
+    return {plane.width, plane.height, 1, ColorSpace::spectrum, std::move(plane.values), picture.header, {}};
 }
 
-void print_statistics(const Picture& shown, const IrviewArguments& arguments) {
+/// Values that -stats prints, a line for each region and channel.
+struct Measured {
+    std::vector<std::string> names;  ///< of the channels
+    Picture values;
+
+    std::string band() const { return values.header.value("BAND").value_or(""); }
+};
+
+/// Every channel as it is; of a spectral picture the whole range and every channel in its own band, or the
+/// one asked for.
+std::vector<Measured> measured_values(const Picture& picture, const IrviewArguments& arguments, int channel) {
+    std::vector<Measured> result;
+    if (!picture.bands) {
+        result.push_back({{}, shown_values(picture, arguments)});
+        for (int c = 0; c < picture.channels; ++c) result[0].names.push_back(std::to_string(c));
+        return result;
+    }
+    const int first = channel >= 0 ? channel : -1, last = channel >= 0 ? channel : picture.channels - 1;
+    for (int c = first; c <= last; ++c)
+        result.push_back(
+            {{c < 0 ? "all" : std::to_string(c)}, shown_values(in_band_radiance(picture, c), arguments)});
+    return result;
+}
+
+void print_statistics(const Picture& picture, const IrviewArguments& arguments, int channel) {
     std::vector<Region> regions = arguments.regions;
-    if (regions.empty()) regions.push_back({0, 0, shown.width, shown.height, "all"});
-    std::vector<std::vector<Statistics>> statistics;  // all before the first is printed
-    for (const Region& region : regions) statistics.push_back(region_statistics(shown, region));
-    if (arguments.temperature)
-        std::printf("# apparent temperature, %s, %s\n", unit_name(*arguments.temperature).c_str(),
-                    shown.header.value("BAND").value_or("").c_str());
-    std::printf("# region\tchannel\tpixels\tmean\tdeviation\tminimum\tmaximum\n");
-    for (std::size_t r = 0; r < regions.size(); ++r) {
-        for (std::size_t c = 0; c < statistics[r].size(); ++c) {
-            const Statistics& s = statistics[r][c];
-            std::printf("%s\t%zu\t%zu\t%.9g\t%.9g\t%.9g\t%.9g\n", regions[r].label.c_str(), c, s.count,
-                        s.mean, s.deviation, s.minimum, s.maximum);
+    if (regions.empty()) regions.push_back({0, 0, picture.width, picture.height, "all"});
+    const std::vector<Measured> measured = measured_values(picture, arguments, channel);
+    std::string table;  // all before the first is printed
+    for (const Region& region : regions) {
+        for (const Measured& part : measured) {
+            const std::vector<Statistics> statistics = region_statistics(part.values, region);
+            for (std::size_t c = 0; c < statistics.size(); ++c) {
+                const Statistics& s = statistics[c];
+                table += formatted("%s\t%s\t%zu\t%.9g\t%.9g\t%.9g\t%.9g\n", region.label.c_str(),
+                                   part.names[c].c_str(), s.count, s.mean, s.deviation, s.minimum, s.maximum);
+            }
         }
     }
+    if (arguments.temperature)
+        std::printf("# apparent temperature, %s, %s\n", unit_name(*arguments.temperature).c_str(),
+                    measured[0].band().c_str());
+    if (picture.bands)
+        for (const Measured& part : measured)
+            std::printf("# channel %s: %s\n", part.names[0].c_str(), part.band().c_str());
+    std::printf("# region\tchannel\tpixels\tmean\tdeviation\tminimum\tmaximum\n%s", table.c_str());
 }
 
 void warn_of_missing(const Picture& shown) {
@@ -118,9 +151,11 @@ int run(int argc, char** argv) {
     if (arguments->block > 1) picture = block_mean(picture, arguments->block);
     for (const Region& region : arguments->regions) check_region(picture, region);
 
-    if (arguments->print_statistics) print_statistics(shown_values(picture, *arguments), *arguments);
+    const int channel =
+        arguments->wavelength_um ? channel_at(picture, *arguments->wavelength_um) : arguments->channel;
+    if (arguments->print_statistics) print_statistics(picture, *arguments, channel);
     if (!arguments->outputs.empty())
-        write_outputs(shown_values(single_channel(picture, arguments->channel), *arguments), *arguments);
+        write_outputs(shown_values(single_channel(picture, channel), *arguments), *arguments);
     return 0;
 }
 

@@ -98,6 +98,11 @@ void add_picture_options(OptionTable& table, IrviewArguments& arguments) {
         .at_least(0);
     table
         .custom(
+            "-wl", "f", [&arguments](const OptionValues& given) { arguments.wavelength_um = given.real(0); },
+            "channel of a spectral picture that holds this wavelength in um")
+        .named("wavelength");
+    table
+        .custom(
             "-b", "i", [&arguments](const OptionValues& given) { arguments.block = given.integer(0); },
             "average the radiances of blocks of that many pixels a side first")
         .named("pixels")
@@ -130,6 +135,8 @@ std::optional<IrviewArguments> read_irview_arguments(int argc, char** argv) {
     if (operands->size() != 1) throw Error("give one picture", "irview [options] picture");
     if (arguments.outputs.empty() && !arguments.print_statistics)
         throw Error("nothing to do", "-o picture.png writes a false-colour picture, -stats prints figures");
+    if (arguments.wavelength_um && arguments.channel >= 0)
+        throw Error("-c and -wl both choose a channel", "give one of them");
     if (arguments.scale && !arguments.temperature)
         throw Error("a band or response is for apparent temperatures", "-K or -C asks for them");
     arguments.picture = operands->front();

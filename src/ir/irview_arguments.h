@@ -20,6 +20,7 @@ struct IrviewArguments {
     std::optional<std::string> label, unit;          ///< of the legend
     Palette palette = palettes().front();            ///< colours
     int channel = -1;                                ///< negative: the mean of all
+    std::optional<double> wavelength_um;             ///< that the channel's band holds
     int block = 1;                                   ///< pixels a side averaged into one
     bool print_statistics = false;                   ///< of the regions
     std::vector<Region> regions;                     ///< to mark and measure

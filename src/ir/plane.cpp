@@ -2,11 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "common/error.h"
 #include "common/format.h"
+#include "common/spectral_header.h"
 
 namespace infra::ir {
+namespace {
+
+constexpr double nm_per_um = 1000;
+
+const Channels& bands_of(const Picture& picture) {
+    if (!picture.bands) throw Error("the picture tells no wavelengths of its channels");
+    return *picture.bands;
+}
+
+}  // namespace
 
 Plane plane_of(const Picture& picture, int channel) {
     if (channel >= picture.channels)
@@ -26,6 +39,28 @@ Plane plane_of(const Picture& picture, int channel) {
     return plane;
 }
 
+int channel_at(const Picture& picture, double wavelength_um) {
+    const Channels& bands = bands_of(picture);
+    const double nm = wavelength_um * nm_per_um;
+    for (int c = 0; c < bands.count(); ++c)
+        if (nm <= bands.upper_nm(c) && nm >= bands.lower_nm(c)) return c;
+    throw Error(formatted("the picture has no channel at %g um", wavelength_um),
+                "its range is " + band_in_um(bands));
+}
+
+Picture in_band_radiance(const Picture& picture, int channel) {
+    const Channels& bands = bands_of(picture);
+    Plane plane = plane_of(picture, channel);
+    if (channel >= 0)
+        for (float& value : plane.values) value /= static_cast<float>(bands.count());
+    Picture result{plane.width, plane.height, 1, ColorSpace::rgb, std::move(plane.values), picture.header,
+                   {}};
+    set_channel_lines(result.header, Channels());
+    std::erase_if(result.header.lines, [](const std::string& line) { return line.starts_with("BAND="); });
+    result.header.add("BAND= " + (channel < 0 ? band_in_um(bands) : band_in_um(bands, channel)));
+    return result;
+}
+
 Picture block_mean(const Picture& picture, int factor) {
     if (factor < 1 || factor > std::min(picture.width, picture.height))
         throw Error(formatted("cannot average blocks of %d pixels in a picture of %d x %d", factor,
@@ -36,6 +71,7 @@ Picture block_mean(const Picture& picture, int factor) {
     coarse.channels = picture.channels;
     coarse.space = picture.space;
     coarse.header = picture.header;
+    coarse.bands = picture.bands;
     coarse.pixels.reserve(std::size_t(coarse.width) * coarse.height * coarse.channels);
     const double share = 1.0 / (double(factor) * factor);
     for (int row = 0; row < coarse.height; ++row) {

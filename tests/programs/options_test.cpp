@@ -173,9 +173,47 @@ TEST(Options, of_mist_blur_and_channels_are_taken_when_they_ask_for_nothing) {
     EXPECT_EQ(refusal<RpictOptions>({"-pm", ".5"}),
               "command line error at '-pm .5': value is not supported (motion blur is not built yet, only 0 "
               "is taken)");
-    EXPECT_EQ(refusal<RtraceOptions>({"-cs", "20"}),
-              "command line error at '-cs 20': number of channels is not supported "
-              "(only three channels are built yet)");
+}
+
+TEST(Options, of_channels_and_colors_are_listed_as_radiance_does) {
+    struct Case {
+        Words words;
+        Words there, absent;
+    };
+    const std::string rgb = "-pRGB\t\t\t\t# standard RGB color output\n";
+    const std::string spectra = "-co+\t\t\t\t# output spectral values\n";
+    const std::string colors = "-co-\t\t\t\t# output tristimulus colors\n";
+    const std::string bins = "-cs 8 \t\t\t\t# number of spectral bins\n";
+    const Case cases[] = {
+        {{"-cs", "8"}, {rgb, colors, bins, "-cw 380 780\t\t\t# wavelength limits (nm)\n"}, {}},
+        {{"-cs", "8", "-co"}, {spectra, bins}, {"-pRGB"}},
+        {{"-cs", "8", "-cw", "900", "300"}, {"-cw 300 900\t\t\t# wavelength limits (nm)\n"}, {}},
+        {{"-cs", "8", "-pXYZ"}, {"-pXYZ\t\t\t\t# CIE XYZ color output\n", colors}, {"-pRGB"}},
+        {{"-cs", "8", "-pY"}, {"-pY\t\t\t\t# photopic output\n"}, {"-pRGB", "-co"}},
+        {{"-cs", "8", "-pY", "-co"}, {spectra}, {"-pY"}},
+        {{"-cs", "8", "-pY", "-co-"}, {"-pY\t"}, {"-co"}},
+        {{"-co+"}, {}, {"-co", "-cs", "-cw"}},
+        {{"-pc", ".7", ".3", ".2", ".7", ".13", ".05", ".31", ".33"},
+         {"-pc 0.7000 0.3000 0.2000 0.7000 0.1300 0.0500 0.3100 0.3300\t"
+          "# output color primaries and white point\n"},
+         {"-pRGB"}},
+        {{"-pc", ".6401", ".33", ".29", ".6", ".15", ".06", ".3333", ".3333"}, {rgb}, {"-pc"}},
+        {{"-fac", "-cs", "8", "-co"}, {"format input/output = ascii/Radiance_spectra\n"}, {}},
+    };
+    for (const Case& given : cases) {
+        const std::string text = Parsed<RtraceOptions>(given.words).table.defaults();
+        for (const std::string& line : given.there) EXPECT_NE(text.find(line), text.npos) << line << text;
+        for (const std::string& start : given.absent)
+            EXPECT_EQ(text.find("\n" + start), text.npos) << start << text;
+    }
+    EXPECT_EQ(Parsed<RpictOptions>({"-cs", "8", "-co"}).table.defaults().find("\n-co"), std::string::npos);
+}
+
+TEST(Options, of_channels_and_colors_refuse_what_makes_no_sense) {
+    EXPECT_NE(refusal<RtraceOptions>({"-cs", "2"}), "taken");
+    EXPECT_EQ(refusal<RtraceOptions>({"-pc", "1", "1", "1", "1", "1", "1", ".3", ".3"}),
+              "command line error at '-pc 1 1 1 1 1 1 .3 .3': illegal primary chromaticities "
+              "(x and y of red, green, blue and white, which must differ and span colors)");
 }
 
 TEST(Options, that_radiance_has_and_we_have_not_are_refused_by_name) {
@@ -183,13 +221,11 @@ TEST(Options, that_radiance_has_and_we_have_not_are_refused_by_name) {
         EXPECT_TRUE(text.starts_with("command line error at '" + option + "': option is not supported ("))
             << text;
     };
-    for (const char* option : {"-ap", "-am", "-af", "-cw", "-P", "-PP", "-pXYZ", "-pc"}) {
+    for (const char* option : {"-ap", "-am", "-af", "-P", "-PP"}) {
         expect_refused(refusal<RpictOptions>({option}), option);
         expect_refused(refusal<RtraceOptions>({option}), option);
     }
     for (const char* option : {"-S", "-r", "-ro"}) expect_refused(refusal<RpictOptions>({option}), option);
-    for (const char* option : {"-pY", "-pS", "-pM", "-pA", "-co+"})
-        expect_refused(refusal<RtraceOptions>({option}), option);
 }
 
 TEST(Options, that_make_no_sense_are_refused) {
@@ -231,6 +267,7 @@ TEST(OutputSpec, refuses_combinations_without_sense) {
     EXPECT_EQ(complaint({"-ovn"}), "");
     EXPECT_EQ(complaint({"-ffc", "-ovn"}), "color format only with -ov, -or, -ox");
     EXPECT_EQ(complaint({"-ffc", "-or"}), "");
+    EXPECT_EQ(complaint({"-ffc", "-pS"}), "color format incompatible with -pY, -pS, -pM, -pA");
     EXPECT_EQ(complaint({"-oL", "-I"}), "-I+ and -i+ options require some value output");
     EXPECT_EQ(complaint({"-oL", "-i"}), "-I+ and -i+ options require some value output");
     EXPECT_EQ(complaint({"-oV"}), "-oVW options require trace mode");

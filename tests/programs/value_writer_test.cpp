@@ -7,13 +7,15 @@
 namespace infra {
 namespace {
 
+const ValueConverter colors;
+
 TEST(ValueWriter, writes_text_with_a_tab_after_each_value) {
     std::string out;
-    ValueWriter writer(NumberFormat::text, out);
+    ValueWriter writer(NumberFormat::text, colors, out);
     writer.indent(2);
     writer.real(1e10);
     writer.vector({0, -1.5, 2});
-    writer.spectrum(Spectrum(3, 0.25f));
+    writer.radiance(Spectrum(3, 0.25f));
     writer.name("wall");
     writer.end_of_ray();
     EXPECT_EQ(out,
@@ -23,9 +25,9 @@ TEST(ValueWriter, writes_text_with_a_tab_after_each_value) {
 
 TEST(ValueWriter, writes_raw_numbers_without_line_ends) {
     std::string floats, doubles;
-    ValueWriter(NumberFormat::floats, floats).vector({1, 2, 3.5});
-    ValueWriter(NumberFormat::floats, floats).end_of_ray();
-    ValueWriter(NumberFormat::doubles, doubles).real(0.1);
+    ValueWriter(NumberFormat::floats, colors, floats).vector({1, 2, 3.5});
+    ValueWriter(NumberFormat::floats, colors, floats).end_of_ray();
+    ValueWriter(NumberFormat::doubles, colors, doubles).real(0.1);
     const float expected[] = {1, 2, 3.5f};
     ASSERT_EQ(floats.size(), sizeof expected);
     EXPECT_EQ(std::memcmp(floats.data(), expected, sizeof expected), 0);
@@ -36,7 +38,7 @@ TEST(ValueWriter, writes_raw_numbers_without_line_ends) {
 
 TEST(ValueWriter, writes_colors_as_pixels) {
     std::string out;
-    ValueWriter(NumberFormat::color, out).spectrum(Spectrum(3, 1.0f));
+    ValueWriter(NumberFormat::color, colors, out).radiance(Spectrum(3, 1.0f));
     // 1 = 128/256 * 2^1, the exponent is kept with 128 added.
     EXPECT_EQ(out, std::string("\x80\x80\x80\x81"));
 }
