@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/picture.h"
-#include "common/planck_scale.h"
+#include "common/pictures/picture.h"
+#include "common/planck/planck_scale.h"
 
 namespace infra::ir {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/false_color.h"
 #include "common/format.h"
-#include "common/picture.h"
+#include "common/pictures/false_color.h"
+#include "common/pictures/picture.h"
 #include "common/version.h"
 #include "ir/apparent_temperature.h"
 #include "ir/irview_arguments.h"

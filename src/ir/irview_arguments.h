@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "common/palette.h"
-#include "common/planck_scale.h"
+#include "common/pictures/palette.h"
+#include "common/planck/planck_scale.h"
 #include "ir/apparent_temperature.h"
 #include "ir/region.h"
 

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "common/format.h"
-#include "common/spectral_header.h"
+#include "common/pictures/spectral_header.h"
 
 namespace infra::ir {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/picture.h"
+#include "common/pictures/picture.h"
 
 namespace infra::ir {
 

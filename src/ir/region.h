@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/picture.h"
+#include "common/pictures/picture.h"
 
 namespace infra::ir {
 

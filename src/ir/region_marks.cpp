@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "common/bitmap_font.h"
 #include "common/format.h"
+#include "common/pictures/bitmap_font.h"
 
 namespace infra::ir {
 namespace {

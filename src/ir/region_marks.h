@@ -1,7 +1,7 @@
 // Regions drawn into a false-colour picture, as thermal cameras show them: a frame, its label and its mean.
 #pragma once
 
-#include "common/image8.h"
+#include "common/pictures/image8.h"
 #include "ir/region.h"
 
 namespace infra::ir {

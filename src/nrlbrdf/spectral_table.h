@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "common/spectrum.h"
+#include "common/spectra/spectrum.h"
 #include "nrlbrdf/table.h"
 
 namespace infra {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/channels.h"
+#include "common/spectra/channels.h"
 #include "nrlbrdf/table_file.h"
 
 namespace infra {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "common/spectrum.h"
+#include "common/spectra/spectrum.h"
 #include "common/vec.h"
 
 namespace infra {

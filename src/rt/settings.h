@@ -36,7 +36,7 @@ struct RenderSettings {
     NameFilter ambient_filter;           ///< -ai -ae
 
     // Air
-    std::string air_path;  ///< -mp: file of the air along camera rays (common/air_path.h); empty: none
+    std::string air_path;  ///< -mp: file of the air along camera rays (common/data/air_path.h); empty: none
 
     // Limits
     int max_reflections = 7;   ///< -lr: negative turns Russian roulette on below min_weight, 0: no limit

@@ -13,7 +13,7 @@
 
 #include "cal/evaluator.h"
 #include "common/random.h"
-#include "rt/compiled_scene.h"
+#include "rt/compile/compiled_scene.h"
 #include "rt/ray.h"
 #include "rt/settings.h"
 
@@ -75,7 +75,7 @@ class Tracer {
     void pass_through(Interaction& at);
     /// Turns what a material scatters into rays and adds their radiance. at.normal faces the viewer.
     void transport(const Scattering& scattering, Interaction& at);
-    /// Value of a function expression for this hit; see rt/functions.h.
+    /// Value of a function expression for this hit; see rt/functions/functions.h.
     cal::Evaluator& evaluator() { return evaluator_; }
     bool is_flat(const Interaction& at) const;
 

@@ -1,5 +1,5 @@
 // The air between camera and scene: closed forms, bands and channels, bad files.
-#include "common/air_path.h"
+#include "common/data/air_path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "common/channels.h"
+#include "common/spectra/channels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "common/data_file.h"
+#include "common/data/data_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "common/data_table.h"
+#include "common/data/data_table.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "common/data_file.h"
+#include "common/data/data_file.h"
 
 namespace infra {
 namespace {

@@ -1,11 +1,11 @@
-#include "common/false_color.h"
+#include "common/pictures/false_color.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "common/bitmap_font.h"
+#include "common/pictures/bitmap_font.h"
 
 namespace infra {
 namespace {

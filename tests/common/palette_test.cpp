@@ -1,4 +1,4 @@
-#include "common/palette.h"
+#include "common/pictures/palette.h"
 
 #include <gtest/gtest.h>
 

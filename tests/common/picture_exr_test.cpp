@@ -1,8 +1,8 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
-#include "common/image8.h"
-#include "common/picture.h"
+#include "common/pictures/image8.h"
+#include "common/pictures/picture.h"
 #include "common/text_file.h"
 #include "test_files.h"
 

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "common/format.h"
-#include "common/picture.h"
-#include "common/rgbe.h"
+#include "common/pictures/picture.h"
+#include "common/pictures/rgbe.h"
 #include "common/text_file.h"
 #include "test_files.h"
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "common/picture.h"
-#include "common/spectral_exr.h"
-#include "common/spectral_header.h"
+#include "common/pictures/picture.h"
+#include "common/pictures/spectral_exr.h"
+#include "common/pictures/spectral_header.h"
 #include "test_files.h"
 
 namespace infra {

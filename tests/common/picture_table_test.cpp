@@ -1,8 +1,8 @@
-#include "common/picture_table.h"
+#include "common/pictures/picture_table.h"
 
 #include <gtest/gtest.h>
 
-#include "common/picture.h"
+#include "common/pictures/picture.h"
 #include "test_files.h"
 
 namespace infra {

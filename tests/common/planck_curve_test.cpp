@@ -1,12 +1,12 @@
 // The tabulated Planck curve against the integral that it stands for.
-#include "common/planck_curve.h"
+#include "common/planck/planck_curve.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "common/error.h"
-#include "common/planck.h"
+#include "common/planck/planck.h"
 
 namespace infra {
 namespace {

@@ -1,4 +1,4 @@
-#include "common/planck_response.h"
+#include "common/planck/planck_response.h"
 
 #include <gtest/gtest.h>
 

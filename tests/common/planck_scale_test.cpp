@@ -1,4 +1,4 @@
-#include "common/planck_scale.h"
+#include "common/planck/planck_scale.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "common/planck.h"
+#include "common/planck/planck.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "common/rgbe.h"
+#include "common/pictures/rgbe.h"
 
 #include <gtest/gtest.h>
 

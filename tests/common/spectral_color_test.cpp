@@ -1,5 +1,5 @@
 // Spectra to channels and channels to colours, against numbers that RADIANCE 6.1 prints for the same spectra.
-#include "common/spectral_color.h"
+#include "common/spectra/spectral_color.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "common/spectrum.h"
+#include "common/spectra/spectrum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "common/view.h"
+#include "common/views/view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "common/view.h"
-#include "common/view_options.h"
+#include "common/views/view.h"
+#include "common/views/view_options.h"
 #include "test_files.h"
 
 namespace infra {

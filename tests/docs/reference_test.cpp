@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "rt/geometry.h"
-#include "rt/modifier_table.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/geometry/geometry.h"
 #include "rt/programs/rpict_options.h"
 #include "rt/programs/rtrace_options.h"
 #include "scene/primitive_types.h"

@@ -1,8 +1,8 @@
 // irview on spectral pictures: the whole range by default, single bands by number or wavelength.
 #include <gtest/gtest.h>
 
-#include "common/picture.h"
-#include "common/planck.h"
+#include "common/pictures/picture.h"
+#include "common/planck/planck.h"
 #include "programs/command.h"
 
 namespace infra::ir {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "common/picture.h"
-#include "common/planck.h"
+#include "common/pictures/picture.h"
+#include "common/planck/planck.h"
 #include "programs/command.h"
 
 namespace infra::ir {

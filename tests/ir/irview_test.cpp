@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "common/picture.h"
+#include "common/pictures/picture.h"
 #include "pictures.h"
 
 namespace infra::ir {

@@ -1,7 +1,7 @@
 // Small pictures for the tests of this folder.
 #pragma once
 
-#include "common/picture.h"
+#include "common/pictures/picture.h"
 
 namespace infra::ir {
 

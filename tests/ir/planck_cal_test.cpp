@@ -10,7 +10,7 @@
 #include "cal/library.h"
 #include "cal/ray_library.h"
 #include "common/format.h"
-#include "common/planck.h"
+#include "common/planck/planck.h"
 
 namespace infra::ir {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "command.h"
-#include "common/picture.h"
+#include "common/pictures/picture.h"
 
 namespace infra {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "command.h"
-#include "common/picture.h"
-#include "common/planck.h"
+#include "common/pictures/picture.h"
+#include "common/planck/planck.h"
 
 namespace infra {
 namespace {

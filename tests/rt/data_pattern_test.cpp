@@ -1,7 +1,7 @@
 // Patterns, textures and mixtures that look their values up in data files and pictures.
 #include <gtest/gtest.h>
 
-#include "common/planck.h"
+#include "common/planck/planck.h"
 #include "scene_pieces.h"
 #include "test_data.h"
 

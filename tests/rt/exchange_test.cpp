@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "common/planck.h"
+#include "common/planck/planck.h"
 #include "scene_pieces.h"
 
 namespace infra {

@@ -1,12 +1,12 @@
 // What every row of the modifier table has to keep, with an example of each type: a row without one fails.
-#include "rt/modifier_table.h"
+#include "rt/compile/modifier_table.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <set>
 
-#include "common/planck.h"
+#include "common/planck/planck.h"
 #include "rt/materials/scattering.h"
 #include "rt/materials/surface_material.h"
 #include "scene_pieces.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "common/picture.h"
+#include "common/pictures/picture.h"
 #include "common/test_files.h"
 
 namespace infra::test {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "common/planck.h"
+#include "common/planck/planck.h"
 #include "common/test_files.h"
 #include "scene_pieces.h"
 #include "test_tables.h"

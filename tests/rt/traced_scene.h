@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "estimate.h"
-#include "rt/compiled_scene.h"
+#include "rt/compile/compiled_scene.h"
 #include "rt/tracer.h"
 #include "scene/rad_reader.h"
 
@@ -61,7 +61,8 @@ struct RaySpec {
 
 class TracedScene {
   public:
-    explicit TracedScene(std::string_view rad, const RenderSettings& settings = {}, const Channels& channels = {})
+    explicit TracedScene(std::string_view rad, const RenderSettings& settings = {},
+                         const Channels& channels = {})
         : settings_(settings) {
         Scene scene;
         read_rad_text(scene, rad, "test.rad", no_warnings());

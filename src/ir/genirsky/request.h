@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/channels.h"
+#include "common/spectra/channels.h"
 #include "ir/genirsky/dome_file.h"
 #include "ir/genirsky/frame.h"
 #include "ir/genirsky/passband.h"
@@ -54,7 +54,7 @@ struct Request {
     std::string output;  ///< empty: standard output
 
     std::string name_of_subject() const;
-    /// A channel's value over the radiance in its band, see common/channels.h.
+    /// A channel's value over the radiance in its band, see common/spectra/channels.h.
     double channel_factor() const { return channels ? channels->count() : 1; }
 };
 

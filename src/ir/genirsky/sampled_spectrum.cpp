@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "common/format.h"
-#include "common/planck.h"
+#include "common/planck/planck.h"
 
 namespace infra::ir {
 namespace {

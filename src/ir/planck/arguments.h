@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/planck_scale.h"
+#include "common/planck/planck_scale.h"
 
 namespace infra::ir {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "common/random.h"
-#include "common/spectrum.h"
+#include "common/spectra/spectrum.h"
 #include "common/vec.h"
 
 namespace infra {

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rt/compile/modifier_table.h"
 #include "rt/materials/surface_material.h"
-#include "rt/modifier_table.h"
 
 namespace infra {
 namespace {

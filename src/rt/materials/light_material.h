@@ -1,7 +1,7 @@
 // The four light materials of lights.cpp, as the set-up of light sources sees them.
 #pragma once
 
-#include "rt/modifier_table.h"
+#include "rt/compile/modifier_table.h"
 #include "rt/sources/light_source.h"
 
 namespace infra {

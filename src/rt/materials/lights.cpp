@@ -12,8 +12,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "rt/compile/modifier_table.h"
 #include "rt/materials/light_material.h"
-#include "rt/modifier_table.h"
 #include "rt/tracer.h"
 
 namespace infra {

@@ -6,8 +6,8 @@
 //     5 red green blue specularity roughness
 //
 // source: RADIANCE reference manual, "Materials"; doc/materials.
+#include "rt/compile/modifier_table.h"
 #include "rt/materials/ward_material.h"
-#include "rt/modifier_table.h"
 
 namespace infra {
 

@@ -20,11 +20,11 @@
 #include "nrlbrdf/sampler.h"
 #include "nrlbrdf/spectral_table.h"
 #include "nrlbrdf/table_set.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/compile/table_cache.h"
 #include "rt/lobes/table.h"
 #include "rt/materials/emissive_material.h"
 #include "rt/materials/surface_material.h"
-#include "rt/materials/table_cache.h"
-#include "rt/modifier_table.h"
 
 namespace infra {
 namespace {

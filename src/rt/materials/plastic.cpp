@@ -7,8 +7,8 @@
 //
 // roughness is the RMS slope of the facets, 0 for a mirror. A smooth plastic of some specularity reflects
 // more towards grazing. source: RADIANCE reference manual, "Materials"; doc/materials.
+#include "rt/compile/modifier_table.h"
 #include "rt/materials/ward_material.h"
-#include "rt/modifier_table.h"
 
 namespace infra {
 

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "common/spectrum.h"
+#include "common/spectra/spectrum.h"
 #include "common/vec.h"
 #include "rt/lobes/lobe.h"
 

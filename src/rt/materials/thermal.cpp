@@ -12,17 +12,17 @@
 // the surface is black. A stated emissivity, 0..1, replaces the derived one. Patterns on `mod` multiply T:
 // with T = 1 and a brightdata of kelvins the surface has a temperature map. Both sides emit; the surface is
 // never sampled as a light source but found by indirect rays, lobes and mirrors. In a spectral rendering each
-// channel gets its own part of the band (common/channels.h).
+// channel gets its own part of the band (common/spectra/channels.h).
 #include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "common/format.h"
-#include "common/planck.h"
-#include "common/planck_curve.h"
-#include "common/planck_response.h"
+#include "common/planck/planck.h"
+#include "common/planck/planck_curve.h"
+#include "common/planck/planck_response.h"
+#include "rt/compile/table_cache.h"
 #include "rt/materials/light_material.h"
-#include "rt/materials/table_cache.h"
 #include "rt/materials/wrapper.h"
 #include "rt/tracer.h"
 

@@ -7,8 +7,8 @@
 //
 // transmissivity is the fraction that goes through of what is not reflected specularly, transmitted_specular
 // the fraction of that which is not diffused. source: RADIANCE reference manual, "Materials"; doc/materials.
+#include "rt/compile/modifier_table.h"
 #include "rt/materials/ward_material.h"
-#include "rt/modifier_table.h"
 
 namespace infra {
 

@@ -1,7 +1,7 @@
 // What emissive and thermal share: they emit, and another material does the reflecting.
 #pragma once
 
-#include "rt/modifier_table.h"
+#include "rt/compile/modifier_table.h"
 
 namespace infra {
 

@@ -7,9 +7,9 @@
 //
 // The share of the foreground is func(value of the file at x1 .. xn), taken between 0 and 1. source: RADIANCE
 // reference manual, "Mixtures".
-#include "rt/data_lookup.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/functions/data_lookup.h"
 #include "rt/mixtures/mixture.h"
-#include "rt/modifier_table.h"
 
 namespace infra {
 namespace {

@@ -6,9 +6,9 @@
 //     n A1 A2 .. An
 //
 // vname is the share of the foreground, taken between 0 and 1. source: RADIANCE reference manual, "Mixtures".
-#include "rt/functions.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/functions/functions.h"
 #include "rt/mixtures/mixture.h"
-#include "rt/modifier_table.h"
 
 namespace infra {
 namespace {

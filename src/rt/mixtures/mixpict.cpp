@@ -7,10 +7,10 @@
 //
 // The share of the foreground is func(red, green and blue of the picture at u, v), taken between 0 and 1; u
 // and v as in colorpict. source: RADIANCE reference manual, "Mixtures".
-#include "rt/data_cache.h"
-#include "rt/functions.h"
+#include "rt/compile/data_cache.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/functions/functions.h"
 #include "rt/mixtures/mixture.h"
-#include "rt/modifier_table.h"
 
 namespace infra {
 namespace {

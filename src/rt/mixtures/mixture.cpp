@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rt/modifier_table.h"
+#include "rt/compile/modifier_table.h"
 #include "rt/tracer.h"
 
 namespace infra {

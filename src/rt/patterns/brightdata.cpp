@@ -6,9 +6,9 @@
 //     n A1 A2 .. An
 //
 // The number is func(value of the file at x1 .. xn). On a `thermal` of 1 K a file of kelvins is a temperature
-// map. File format: common/data_file.h. source: RADIANCE reference manual, "Patterns".
-#include "rt/data_lookup.h"
-#include "rt/modifier_table.h"
+// map. File format: common/data/data_file.h. source: RADIANCE reference manual, "Patterns".
+#include "rt/compile/modifier_table.h"
+#include "rt/functions/data_lookup.h"
 
 namespace infra {
 namespace {

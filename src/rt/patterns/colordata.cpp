@@ -7,8 +7,8 @@
 //
 // Red is rfunc(values of the three files at x1 .. xn), and so on; gfunc and bfunc may take their own value
 // alone. source: RADIANCE reference manual, "Patterns".
-#include "rt/data_lookup.h"
-#include "rt/modifier_table.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/functions/data_lookup.h"
 #include "rt/tracer.h"
 
 namespace infra {

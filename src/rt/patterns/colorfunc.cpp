@@ -6,8 +6,8 @@
 //     n A1 A2 .. An
 //
 // source: RADIANCE reference manual, "Patterns".
-#include "rt/functions.h"
-#include "rt/modifier_table.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/functions/functions.h"
 #include "rt/tracer.h"
 
 namespace infra {

@@ -6,11 +6,11 @@
 //     n A1 A2 .. An
 //
 // Red is rfunc(red, green and blue of the picture at u, v), and so on; gfunc and bfunc may take their own
-// value alone. u and v run from 0 to 1 along the picture's shorter side: common/picture_table.h. source:
-// RADIANCE reference manual, "Patterns".
-#include "rt/data_cache.h"
-#include "rt/data_lookup.h"
-#include "rt/modifier_table.h"
+// value alone. u and v run from 0 to 1 along the picture's shorter side: common/pictures/picture_table.h.
+// source: RADIANCE reference manual, "Patterns".
+#include "rt/compile/data_cache.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/functions/data_lookup.h"
 #include "rt/tracer.h"
 
 namespace infra {

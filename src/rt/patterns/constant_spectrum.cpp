@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/format.h"
-#include "rt/modifier_table.h"
+#include "rt/compile/modifier_table.h"
 
 namespace infra {
 

@@ -1,7 +1,7 @@
 // A spectrum that is the same everywhere: what spectrum and specfile come to.
 #pragma once
 
-#include "common/spectrum.h"
+#include "common/spectra/spectrum.h"
 #include "rt/modifier.h"
 #include "rt/ray.h"
 

@@ -9,8 +9,8 @@
 // The file has n + 1 dimensions, the last of which is the wavelength in nm. func(value, nm) is asked at as
 // many wavelengths as the file has, in equal steps; each counts for one step as in spectrum. source: RADIANCE
 // reference manual, "Patterns".
-#include "rt/data_cache.h"
-#include "rt/modifier_table.h"
+#include "rt/compile/data_cache.h"
+#include "rt/compile/modifier_table.h"
 #include "rt/patterns/spectral_table.h"
 
 namespace infra {

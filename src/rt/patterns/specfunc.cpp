@@ -10,9 +10,9 @@
 // "Patterns", and measured.
 #include <algorithm>
 
-#include "common/spectral_color.h"
-#include "rt/functions.h"
-#include "rt/modifier_table.h"
+#include "common/spectra/spectral_color.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/functions/functions.h"
 #include "rt/patterns/constant_spectrum.h"
 #include "rt/tracer.h"
 

@@ -7,8 +7,8 @@
 //
 // func(value, nm) is asked at the middle of each of the picture's bands; u and v as in colorpict. source:
 // RADIANCE reference manual, "Patterns".
-#include "rt/data_cache.h"
-#include "rt/modifier_table.h"
+#include "rt/compile/data_cache.h"
+#include "rt/compile/modifier_table.h"
 #include "rt/patterns/spectral_table.h"
 
 namespace infra {

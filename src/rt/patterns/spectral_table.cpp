@@ -3,8 +3,8 @@
 #include <array>
 
 #include "common/format.h"
-#include "common/spectral_color.h"
-#include "rt/modifier_table.h"
+#include "common/spectra/spectral_color.h"
+#include "rt/compile/modifier_table.h"
 #include "rt/patterns/constant_spectrum.h"
 #include "rt/tracer.h"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "common/data_table.h"
-#include "rt/functions.h"
+#include "common/data/data_table.h"
+#include "rt/functions/functions.h"
 #include "rt/modifier.h"
 
 namespace infra {

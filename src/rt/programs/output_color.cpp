@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "common/format.h"
-#include "common/spectral_header.h"
+#include "common/pictures/spectral_header.h"
 
 namespace infra {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "common/channels.h"
-#include "common/color_primaries.h"
 #include "common/options.h"
+#include "common/spectra/channels.h"
+#include "common/spectra/color_primaries.h"
 
 namespace infra {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rt/compiled_scene.h"
+#include "rt/compile/compiled_scene.h"
 #include "rt/programs/value_writer.h"
 #include "rt/ray.h"
 

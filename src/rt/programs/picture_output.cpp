@@ -7,7 +7,7 @@
 
 #include "common/atomic_file.h"
 #include "common/format.h"
-#include "common/spectral_header.h"
+#include "common/pictures/spectral_header.h"
 #include "common/version.h"
 #include "rt/programs/value_converter.h"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "common/picture.h"
-#include "common/view.h"
+#include "common/pictures/picture.h"
+#include "common/views/view.h"
 #include "rt/tracer.h"
 
 namespace infra {

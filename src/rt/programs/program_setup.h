@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rt/compiled_scene.h"
+#include "rt/compile/compiled_scene.h"
 #include "rt/programs/render_options.h"
 #include "rt/tracer.h"
 #include "scene/warnings.h"
@@ -36,7 +36,7 @@ WarningSink warning_sink(const std::string& program, const RenderOptions& option
 
 /// Things that went wrong while rays were traced, and how often.
 struct TracerFaults {
-    std::uint64_t bad_values = 0;       ///< radiances that were not finite
+    std::uint64_t bad_values = 0;  ///< radiances that were not finite
     std::uint64_t bad_temperatures = 0;
     std::uint64_t function_faults = 0;  ///< domain errors in functions
     std::string last_function_fault;

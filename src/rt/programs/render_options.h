@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/options.h"
-#include "rt/compiled_scene.h"
+#include "rt/compile/compiled_scene.h"
 #include "rt/settings.h"
 
 namespace infra {

@@ -1,7 +1,7 @@
 #include "rt/programs/rpict_options.h"
 
 #include "common/format.h"
-#include "common/view_options.h"
+#include "common/views/view_options.h"
 
 namespace infra {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "common/view.h"
+#include "common/views/view.h"
 #include "rt/programs/output_color.h"
 #include "rt/programs/render_options.h"
 

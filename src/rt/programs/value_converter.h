@@ -4,7 +4,7 @@
 #include <array>
 #include <variant>
 
-#include "common/spectral_color.h"
+#include "common/spectra/spectral_color.h"
 #include "rt/programs/output_color.h"
 
 namespace infra {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "common/rgbe.h"
+#include "common/pictures/rgbe.h"
 
 namespace infra {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/spectrum.h"
+#include "common/spectra/spectrum.h"
 #include "common/vec.h"
 #include "rt/programs/value_converter.h"
 

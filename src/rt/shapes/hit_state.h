@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "rt/compile/surface_table.h"
 #include "rt/ray.h"
-#include "rt/surface_table.h"
 
 namespace infra {
 

@@ -7,8 +7,8 @@
 //
 // x is xfunc(values of the three files at x0 .. xn), and so on. source: RADIANCE reference manual,
 // "Textures".
-#include "rt/data_lookup.h"
-#include "rt/modifier_table.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/functions/data_lookup.h"
 
 namespace infra {
 namespace {

@@ -6,8 +6,8 @@
 //     n A1 A2 .. An
 //
 // source: RADIANCE reference manual, "Textures".
-#include "rt/functions.h"
-#include "rt/modifier_table.h"
+#include "rt/compile/modifier_table.h"
+#include "rt/functions/functions.h"
 
 namespace infra {
 namespace {

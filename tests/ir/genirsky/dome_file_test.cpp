@@ -1,6 +1,6 @@
 #include "ir/genirsky/dome_file.h"
 
-#include "common/planck.h"
+#include "common/planck/planck.h"
 #include "fixtures.h"
 
 namespace infra::ir {

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "common/planck.h"
+#include "common/planck/planck.h"
 #include "fixtures.h"
 #include "ir/genirsky/frame.h"
 #include "programs/command.h"

@@ -1,7 +1,7 @@
 // Integrals over bands against closed forms.
 #include "ir/genirsky/sampled_spectrum.h"
 
-#include "common/planck.h"
+#include "common/planck/planck.h"
 #include "fixtures.h"
 
 namespace infra::ir {

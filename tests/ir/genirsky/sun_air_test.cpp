@@ -1,5 +1,5 @@
 // The sun's disk and the air of a path, in closed forms.
-#include "common/planck.h"
+#include "common/planck/planck.h"
 #include "fixtures.h"
 #include "ir/genirsky/air.h"
 #include "ir/genirsky/atmosphere.h"

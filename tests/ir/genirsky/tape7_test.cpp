@@ -1,7 +1,7 @@
 // tape7 in the layouts of MODTRAN 4 and 5.
 #include "ir/genirsky/tape7.h"
 
-#include "common/planck.h"
+#include "common/planck/planck.h"
 #include "fixtures.h"
 
 namespace infra::ir {

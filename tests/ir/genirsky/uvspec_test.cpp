@@ -1,7 +1,7 @@
 // uvspec's blocks and columns.
 #include "ir/genirsky/uvspec.h"
 
-#include "common/planck.h"
+#include "common/planck/planck.h"
 #include "fixtures.h"
 #include "ir/genirsky/atmosphere.h"
 

@@ -1,0 +1,65 @@
+// Between spectra and colours: sampled spectra to the channels of a rendering, channels to RGB, XYZ and the
+// responses of the eye.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "common/spectra/channels.h"
+#include "common/spectra/color_primaries.h"
+#include "common/spectra/eye_response.h"
+
+namespace infra {
+
+using Color = std::array<float, 3>;
+
+/// Mean over each channel's band of a spectrum given as equal bands of nm_first..nm_last (values[0] lies at
+/// the nm_first end), 0 outside; for RGB channels the colour of the spectrum. There three values, longest
+/// wavelengths first, are taken for RGB themselves, and a spectrum of more than 24 bands, or shortest
+/// wavelengths first, is first averaged over up to 24 bands of 780..380 nm: so does RADIANCE.
+///   nm_first, nm_last  above 0, not equal
+Spectrum resample(const Channels& channels, std::span<const double> values, double nm_first, double nm_last);
+
+/// Response of the eye to a spectrum, 1 for an equal-energy spectrum of 1. RGB counts as three bands that
+/// meet at 588 and 480 nm, but x, y and z come from RADIANCE's primaries. Built once a rendering.
+class Response {
+  public:
+    Response(const Channels& channels, EyeResponse response);
+    double operator()(const Spectrum& spectrum) const;
+    double weight(std::size_t channel) const { return weights_[channel]; }
+
+  private:
+    std::array<double, Channels::most> weights_{};
+};
+
+/// A spectrum as three numbers, each a weighted sum of the channels. Built once a rendering.
+class ColorConverter {
+  public:
+    /// CIE 1931 tristimulus values, 1 1 1 for an equal-energy spectrum of 1.
+    static ColorConverter xyz(const Channels& channels);
+    /// RADIANCE's RGB: of RGB channels themselves; of a range that does not reach all three primaries the
+    /// means of its thirds, longest wavelengths first. A colour outside RGB's gamut is mixed with the grey
+    /// of its luminance until no component is negative.
+    static ColorConverter rgb(const Channels& channels);
+    /// The same in other primaries, adapted to their white.
+    static ColorConverter rgb(const Channels& channels, const Primaries& primaries);
+
+    /// Any range's XYZ times a matrix, kept in the gamut.
+    static ColorConverter through_xyz(const Channels& channels, const glm::dmat3& xyz_to_rgb);
+
+    Color operator()(const Spectrum& spectrum) const;
+
+  private:
+    explicit ColorConverter(const Channels& channels) : channels_(channels.count()) {}
+    /// Means of the channels that red, green and blue would each be given to.
+    static ColorConverter means_by_primary(const Channels& channels);
+
+    using Row = std::array<float, Channels::most>;
+    std::array<Row, 3> rows_{};
+    Row luminance_{};
+    bool keeps_gamut_ = false;
+    int channels_;
+};
+
+}  // namespace infra

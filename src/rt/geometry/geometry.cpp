@@ -1,0 +1,224 @@
+#include "rt/geometry/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rt/geometry/bvh_walk.h"
+
+namespace infra {
+namespace {
+
+Vec3 vec(std::span<const double> numbers, std::size_t first) {
+    return {numbers[first], numbers[first + 1], numbers[first + 2]};
+}
+
+// Bounds of a disk of this radius.
+Bounds disk_box(const Vec3& center, const Vec3& axis, double radius) {
+    Bounds box;
+    const Vec3 reach{radius * std::sqrt(std::max(0.0, 1 - axis.x * axis.x)),
+                     radius * std::sqrt(std::max(0.0, 1 - axis.y * axis.y)),
+                     radius * std::sqrt(std::max(0.0, 1 - axis.z * axis.z))};
+    box.extend(center - reach);
+    box.extend(center + reach);
+    return box;
+}
+
+}  // namespace
+
+void Geometry::reserve(std::size_t surfaces, std::size_t triangles) {
+    triangles_.reserve(triangles);
+    shape_of_.reserve(surfaces);
+    items_.reserve(surfaces);
+}
+
+void Geometry::note(Kind kind, std::size_t index, int surface, const Bounds& box) {
+    if (shape_of_.size() <= static_cast<std::size_t>(surface))
+        shape_of_.resize(static_cast<std::size_t>(surface) + 1, no_shape);
+    const ShapeRef shape = static_cast<ShapeRef>(kind) << 29 | static_cast<ShapeRef>(index);
+    shape_of_[static_cast<std::size_t>(surface)] = shape;
+    items_.emplace_back(box, shape);
+}
+
+bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
+    const std::span<const double> numbers = scene.reals(id);
+    switch (const PrimitiveType type = scene.type(id)) {
+        case PrimitiveType::polygon:
+            return add_polygon(numbers, surface);
+        case PrimitiveType::sphere:
+        case PrimitiveType::bubble: {
+            const double radius = std::fabs(numbers[3]);
+            if (radius <= same_place) return false;
+            const bool inward = (type == PrimitiveType::bubble) != (numbers[3] < 0);
+            const Vec3 center = vec(numbers, 0);
+            spheres_.push_back({center, radius, surface, inward});
+            note(sphere, spheres_.size() - 1, surface, {center - Vec3(radius), center + Vec3(radius)});
+            return true;
+        }
+        case PrimitiveType::cone:
+        case PrimitiveType::cup:
+        case PrimitiveType::cylinder:
+        case PrimitiveType::tube:
+            return add_cone(type, numbers, surface);
+        case PrimitiveType::ring: {
+            const double inner = std::min(numbers[6], numbers[7]), outer = std::max(numbers[6], numbers[7]);
+            const Vec3 axis = vec(numbers, 3);
+            const double size = length(axis);
+            if (!(size > 0) || outer <= same_place) return false;
+            rings_.push_back({vec(numbers, 0), axis / size, std::max(inner, 0.0), outer, surface});
+            note(ring, rings_.size() - 1, surface, disk_box(vec(numbers, 0), axis / size, outer));
+            return true;
+        }
+        default:
+            throw scene.error(id,
+                              std::string("type \"") + std::string(name(type)) + "\" is not supported yet");
+    }
+}
+
+bool Geometry::add_polygon(std::span<const double> vertices, int surface) {
+    vertices = distinct_vertices(vertices);
+    const std::size_t count = vertices.size() / 3;
+    const PolygonPlane plane = polygon_plane(vertices);
+    if (plane.area == 0) return false;
+    Bounds box;
+    for (std::size_t i = 0; i < count; ++i) box.extend(vec(vertices, 3 * i));
+    if (count == 3) {
+        triangles_.emplace_back(vec(vertices, 0), vec(vertices, 3), vec(vertices, 6), surface);
+        note(triangle, triangles_.size() - 1, surface, box);
+        return true;
+    }
+    int axis = std::fabs(plane.normal.y) > std::fabs(plane.normal.x) ? 1 : 0;
+    if (std::fabs(plane.normal.z) > std::fabs(plane.normal[axis])) axis = 2;
+    const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+    auto corners = std::make_unique<double[]>(2 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        corners[2 * i] = vertices[3 * i + static_cast<std::size_t>(x)];
+        corners[2 * i + 1] = vertices[3 * i + static_cast<std::size_t>(y)];
+        // A polygon that is not flat is met in its mean plane, which may stick out of the vertices' box.
+        const Vec3 vertex = vec(vertices, 3 * i);
+        box.extend(vertex + plane.normal * (plane.offset - dot(plane.normal, vertex)));
+    }
+    polygons_.push_back({plane.normal, plane.offset, corners.get(), static_cast<int>(count), surface, x, y});
+    corners_.push_back(std::move(corners));
+    note(polygon, polygons_.size() - 1, surface, box);
+    return true;
+}
+
+bool Geometry::add_cone(PrimitiveType type, std::span<const double> numbers, int surface) {
+    const Vec3 p0 = vec(numbers, 0), p1 = vec(numbers, 3);
+    const double size = length(p1 - p0);
+    double r0 = numbers[6], r1 = numbers.size() > 7 ? numbers[7] : numbers[6];
+    bool inward = type == PrimitiveType::cup || type == PrimitiveType::tube;
+    if (r0 < -same_place || r1 < -same_place) inward = !inward;
+    r0 = std::fabs(r0);
+    r1 = std::fabs(r1);
+    if (!(size > 0) || std::max(r0, r1) <= same_place) return false;
+    if (std::fabs(r1 - r0) <= same_place) r1 = r0;
+    const Vec3 axis = (p1 - p0) / size;
+    cones_.push_back({p0, axis, size, r0, (r1 - r0) / size, surface, inward});
+    Bounds box = disk_box(p0, axis, r0);
+    box.extend(disk_box(p1, axis, r1));
+    note(cone, cones_.size() - 1, surface, box);
+    return true;
+}
+
+void Geometry::build() {
+    bvh_.build(std::move(items_));
+    sort_triangles();
+}
+
+// Brings the triangles into the order of the hierarchy's leaves, so that a leaf's triangles share cache
+// lines.
+void Geometry::sort_triangles() {
+    std::vector<ShapeRef> old_place;  // by new place
+    old_place.reserve(triangles_.size());
+    for (ShapeRef& item : bvh_.items())
+        if (kind(item) == triangle) {
+            old_place.push_back(item);
+            item = static_cast<ShapeRef>(old_place.size() - 1);
+        }
+    for (std::size_t start = 0; start < old_place.size(); ++start) {  // each cycle of the permutation in turn
+        if (old_place[start] == start) continue;
+        const Triangle first = triangles_[start];
+        std::size_t place = start;
+        while (old_place[place] != start) {
+            const std::size_t from = old_place[place];
+            triangles_[place] = triangles_[from];
+            old_place[place] = static_cast<ShapeRef>(place);
+            place = from;
+        }
+        triangles_[place] = first;
+        old_place[place] = static_cast<ShapeRef>(place);
+    }
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
+        shape_of_[static_cast<std::size_t>(triangles_[i].surface)] = static_cast<ShapeRef>(i);
+}
+
+inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const {
+    const std::size_t i = index(shape);
+    switch (kind(shape)) {
+        case triangle:
+            return triangles_[i].intersect(origin, direction, table_, shape, state);
+        case polygon:
+            return polygons_[i].intersect(origin, direction, table_, shape, state);
+        case sphere:
+            return spheres_[i].intersect(origin, direction, table_, shape, state);
+        case cone:
+            return cones_[i].intersect(origin, direction, table_, shape, state);
+        case ring:
+            return rings_[i].intersect(origin, direction, table_, shape, state);
+    }
+}
+
+void Geometry::intersect(const Vec3& origin, const Vec3& direction, ShapeRef leaving, HitState& state) const {
+    bvh_.walk(
+        origin, direction,
+        [&](std::uint32_t shape) {
+            if (shape != leaving) test(shape, origin, direction, state);
+            return false;
+        },
+        [&] { return state.distance + same_place; });
+}
+
+bool Geometry::intersect_one(ShapeRef shape, const Vec3& origin, const Vec3& direction,
+                             HitState& state) const {
+    test(shape, origin, direction, state);
+    return state.surface >= 0;
+}
+
+Geometry::View Geometry::view(const Vec3& origin, const Vec3& direction, double distance,
+                              ShapeRef leaving) const {
+    View found = View::clear;
+    const double limit = distance - same_place;
+    bvh_.walk(
+        origin, direction,
+        [&](std::uint32_t shape) {
+            if (shape == leaving) return false;
+            HitState state;
+            state.distance = limit;
+            test(shape, origin, direction, state);
+            if (state.surface < 0) return false;
+            found = table_.finish(state.surface).blocks_light() ? View::blocked : View::filtered;
+            return found == View::blocked;
+        },
+        [&] { return limit; });
+    return found;
+}
+
+Vec3 Geometry::normal(ShapeRef shape, const Vec3& point) const {
+    const std::size_t i = index(shape);
+    switch (kind(shape)) {
+        case triangle:
+            return triangles_[i].normal();
+        case polygon:
+            return polygons_[i].normal;
+        case sphere:
+            return spheres_[i].normal(point);
+        case cone:
+            return cones_[i].normal(point);
+        case ring:
+            return rings_[i].unit_normal;
+    }
+    return Vec3{0, 0, 1};
+}
+
+}  // namespace infra
