@@ -251,7 +251,7 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     Spectrum sum(at.channels()), weights(at.channels()), tint(at.channels(), 1.0f);
     int draws = 0;
     for (int traced = 0; (lobe.redraws ? traced : draws) < count && draws < 10 * count; ++draws) {
-        const LobeDraw draw = lobe.sample(random_, count);
+        const LobeDraw draw = lobe.sample(random_, draws, count);
         if (draw.weight <= 0) continue;
         ++traced;
         child.direction = draw.wi;
@@ -264,10 +264,9 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
         weights.add_scaled(tint, weight);
     }
     at.radiance.add_scaled(sum, static_cast<float>(count) / static_cast<float>(draws));
-    // Emission has counted on weights of 1; what these samples lack of it, or have above it, is the surface's
-    // own. So the emissivity is that of the lobe as sampled, and in an enclosure of one temperature each path
-    // brings exactly Planck's radiance.
-    if (at.blackbody) {
+    // Emission has counted on weights that average to 1; what these samples lack of it, or have above it, is
+    // the surface's own, so that the emissivity is that of the lobe as sampled.
+    if (at.blackbody && !lobe.conserves) {
         Spectrum lacking(at.channels(), 1.0f);
         lacking.add_scaled(weights, -1.0f / static_cast<float>(draws));
         at.radiance.add_scaled(*at.blackbody * child.coefficient * lacking, static_cast<float>(count));

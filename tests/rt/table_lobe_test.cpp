@@ -47,7 +47,7 @@ TEST(TableLobe, SamplesFollowPdfAndCarryEval) {
             options.samples = 300'000;
             const auto result = test::chi_square_test(
                 [&](double, double, double) {
-                    const LobeDraw draw = lobe.sample(random, 1);
+                    const LobeDraw draw = lobe.sample(random, 0, 1);
                     return Draw{frame.to_local(draw.wi), draw.weight,
                                 draw.weight > 0 ? lobe.pdf(draw.wi) : 0};
                 },
@@ -58,7 +58,7 @@ TEST(TableLobe, SamplesFollowPdfAndCarryEval) {
             EXPECT_NEAR(result.mean_weight, 1, 4 * result.weight_error);  // the albedo is in the coefficient
             EXPECT_NEAR(static_cast<double>(lobe.coefficient[0]), albedo, 1e-6);
             for (int n = 0; n < 2000; ++n) {
-                const LobeDraw draw = lobe.sample(random, 1);
+                const LobeDraw draw = lobe.sample(random, 0, 1);
                 if (draw.weight <= 0) continue;
                 EXPECT_NEAR(draw.weight * lobe.pdf(draw.wi) / lobe.eval(draw.wi, 0), 1, 1e-5);
             }

@@ -34,7 +34,7 @@ test::ChiSquareResult sample_lobe(const Lobe& lobe, int count, const Density& de
                                   std::uint64_t seed) {
     RandomStream random(7, seed);
     const auto draw = [&](double, double, double) {
-        const LobeDraw drawn = lobe.sample(random, count);
+        const LobeDraw drawn = lobe.sample(random, 0, count);
         return Draw{drawn.wi, drawn.weight, drawn.weight > 0 ? density(drawn.wi) : 0};
     };
     test::ChiSquareOptions options;
@@ -87,7 +87,7 @@ TEST(WardReflection, OneOfSeveralSamplesFollowsPdfAndCarriesEval) {
 
         RandomStream random(8, number);
         for (int n = 0; n < 2000; ++n) {
-            const LobeDraw draw = lobe.sample(random, several);
+            const LobeDraw draw = lobe.sample(random, 0, several);
             const double eval = lobe.eval(draw.wi, 0);
             if (draw.weight <= 0 || eval <= 0) continue;
             EXPECT_NEAR(draw.weight * lobe.pdf(draw.wi) / eval, 1, 1e-5);

@@ -16,7 +16,7 @@ def simple(kind, *numbers):
     return f"void {kind} m\n0\n0\n{len(numbers)} {' '.join(map(str, numbers))}\n"
 
 
-def table(file, samples=4):
+def table(file, samples=1024):
     return f"void nrlbrdf m\n1 {file}\n0\n5 1 1 1 {samples} .3\n"
 
 

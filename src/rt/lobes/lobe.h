@@ -30,13 +30,14 @@ class Lobe {
         false;  ///< samples of no weight are replaced until `count` are traced, and divided by all draws
 
     bool colored = false;
+    bool conserves = false;  ///< the weights average to 1 exactly, so that `coefficient` is the lobe's albedo
 
     /// f |cos| [1/sr] over `coefficient`, for a light source of solid angle omega [sr] around wi; 0 on the
     /// wrong side. Some models widen the lobe by the source's size, as RADIANCE does; omega = 0 gives the
     /// lobe itself.
     virtual double eval(const Vec3& wi, double omega) const = 0;
-    /// One of `count` samples that together estimate the lobe.
-    virtual LobeDraw sample(RandomStream& random, int count) const = 0;
+    /// Sample `index`, from 0, of `count` that together estimate the lobe: they may be stratified.
+    virtual LobeDraw sample(RandomStream& random, int index, int count) const = 0;
     /// Density of sample() at wi [1/sr].
     virtual double pdf(const Vec3& wi) const = 0;
     /// Each channel's factor on eval() and on a sample's weight at wi. Asked of colored lobes only.

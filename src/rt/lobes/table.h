@@ -27,6 +27,7 @@ class TableLobe final : public Lobe {
           inverse_albedo_(1.0 / albedo),
           samples_(samples) {
         colored = spectral != nullptr;
+        conserves = normal == surface_normal;  // a texture may send samples below the surface
         make_frame(normal, u_, v_);
         wo_ = to_local(to_viewer);
     }
@@ -37,8 +38,10 @@ class TableLobe final : public Lobe {
         return sampler_.table().eval_lobe(wo_, local) * local.z * inverse_albedo_;
     }
 
-    LobeDraw sample(RandomStream& random, int) const override {
-        const double u1 = random.uniform(), u2 = random.uniform(), u3 = random.uniform();
+    /// The first number chooses between probe and table, and the angle: its strata give each its share.
+    LobeDraw sample(RandomStream& random, int index, int count) const override {
+        const double u1 = (index + random.uniform()) / count;
+        const double u2 = random.uniform(), u3 = random.uniform();
         const LobeSample drawn = sampler_.sample(wo_, u1, u2, u3);
         const Vec3 wi = u_ * drawn.wi.x + v_ * drawn.wi.y + normal_ * drawn.wi.z;
         return {wi, dot(wi, surface_normal_) > same_place ? drawn.weight * inverse_albedo_ : 0.0};

@@ -63,7 +63,7 @@ class WardReflection final : public Lobe {
     /// A single sample is drawn again when it falls below the surface and weighs 1: it keeps all energy. One
     /// of several is weighted for the reflectance that eval() has, which falls towards grazing. (Both as in
     /// RADIANCE 6.1.)
-    LobeDraw sample(RandomStream& random, int count) const override {
+    LobeDraw sample(RandomStream& random, int, int count) const override {
         for (int attempt = 0; attempt < 10; ++attempt) {
             const double angle = 2 * std::numbers::pi * random.uniform();
             const double slope = ward_slope(s_, random.uniform());
@@ -115,7 +115,7 @@ class WardTransmission final : public Lobe {
         return density > same_place ? density * std::sqrt(-cosine / std::max(cosine_out, 0.001)) : 0;
     }
 
-    LobeDraw sample(RandomStream& random, int) const override {
+    LobeDraw sample(RandomStream& random, int, int) const override {
         for (int attempt = 0; attempt < 10; ++attempt) {
             const double angle = 2 * std::numbers::pi * random.uniform();
             const double slope = ward_slope(s_, random.uniform());
