@@ -146,6 +146,16 @@ TEST(Thermal, ChannelsShareTheBand) {
               (std::vector<double>{0, 0, 0}));
 }
 
+// Without lights a picture of it is no mistake.
+TEST(Thermal, NeedsNoLight) {
+    const auto warnings = [](const std::string& material) {
+        return test::TracedScene(material + test::plate).compiled().warnings().size();
+    };
+    EXPECT_EQ(warnings("void thermal m 0 0 3 300 8 12"), 0u);
+    EXPECT_EQ(warnings("void emissive m 0 0 3 1 1 1"), 0u);
+    EXPECT_EQ(warnings("void plastic m 0 0 5 1 1 1 0 0"), 1u);
+}
+
 TEST(Thermal, IsFoundByMirrorsAndIndirectRaysNotByDirectSampling) {
     const double black = band_radiance(300, 8, 12);
     const std::string ceiling = "void thermal hot 0 0 3 300 8 12 hot bubble room 0 0 4 0 0 0 9\n";

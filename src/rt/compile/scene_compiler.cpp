@@ -158,7 +158,8 @@ class SceneCompiler {
             if (!emitter || emitter->radiance().maximum() <= same_place) continue;
             const bool distant = scene_.type(surface.primitive) == PrimitiveType::source;
             if (emitter->kind() == Emitter::Kind::glow && !distant && emitter->reach() <= same_place) {
-                indirect = indirect || settings_.ambient_bounces > 0;
+                // What emits besides reflecting is worth seeing without any light.
+                indirect = indirect || settings_.ambient_bounces > 0 || !material->traits()->is_light;
                 continue;
             }
             LightSource source = make_light_source(scene_, surface.primitive, *emitter, out_.warnings_);
