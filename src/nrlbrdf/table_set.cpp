@@ -9,10 +9,8 @@
 namespace infra {
 namespace {
 
-constexpr double um_per_nm = 1e-3;
-
 WavelengthBand band_of(const Channels& channels, int c) {
-    return {um_per_nm * channels.lower_nm(c), um_per_nm * channels.upper_nm(c)};
+    return {channels.lower_um(c), channels.upper_um(c)};
 }
 
 std::string place_text(const Location& place) { return place.file + ":" + std::to_string(place.line); }
@@ -89,8 +87,8 @@ std::string describe_gaps(const Channels& channels, const ChannelShares& shares)
     if (shares.without_band.empty()) return "";
     const int first = shares.without_band.front(), last = shares.without_band.back();
     return formatted("no band for %zu of the %d channels, between %g and %g um: they take the nearest one",
-                     shares.without_band.size(), channels.count(), um_per_nm * channels.lower_nm(last),
-                     um_per_nm * channels.upper_nm(first));
+                     shares.without_band.size(), channels.count(), channels.lower_um(last),
+                     channels.upper_um(first));
 }
 
 }  // namespace infra

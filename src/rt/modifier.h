@@ -15,6 +15,7 @@ struct MaterialTraits {
     std::string_view name;
     bool transparent = false;   ///< loses against an opaque surface in the same place; -i looks through it
     bool blocks_light = false;  ///< a shadow ray that meets it is certainly stopped
+    bool emits = false;         ///< sends out radiance of its own, or a part of it does
     bool is_light = false;      ///< light, glow, spotlight, illum: not shaded white by -i
     bool is_mixture = false;    ///< stands for the materials it mixes
 };

@@ -44,6 +44,7 @@ struct Ray {
     Vec3 origin{0};
     Vec3 direction{0, 0, 1};
     double max_distance = 0;   ///< nothing beyond is seen; 0: no limit
+    double fore = 0;           ///< distance from the camera to where the primary ray starts
     double path_before = 0;    ///< length of the path from the eye to the origin
     double shadow_before = 0;  ///< length of the shadow rays before this one
     const Interaction* parent = nullptr;
@@ -58,6 +59,14 @@ struct Ray {
 
     explicit Ray(int channels) : coefficient(channels, 1.0f) {}
     bool is(std::uint16_t kinds) const { return (lineage & kinds) != 0; }
+};
+
+/// What of a view is a distant source seen straight on, or through something clear.
+struct SkyView {
+    Spectrum radiance;
+    Spectrum share;  ///< its coefficient in the view
+
+    explicit SkyView(int channels) : radiance(channels), share(channels) {}
 };
 
 struct Interaction {
@@ -79,6 +88,8 @@ struct Interaction {
     /// Planck's radiance at the temperature of the surface being shaded, if it has one
     /// (materials/thermal.cpp): its material emits what it neither reflects nor transmits of it.
     const Spectrum* blackbody = nullptr;
+    /// Where to say how much of the radiance comes straight from the sky; nullptr if nobody asks.
+    SkyView* sky = nullptr;
     Spectrum pattern;   ///< product of the patterns met so far
     Spectrum radiance;  ///< towards the ray's origin
     Spectrum mirrored;  ///< the part of it that is a mirror image

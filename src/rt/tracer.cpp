@@ -42,14 +42,10 @@ Ray Tracer::primary(const Vec3& origin, const Vec3& direction, double max_distan
 
 void Tracer::trace(Interaction& at) {
     if (!at.ray->parent) stack_base_ = static_cast<const char*>(__builtin_frame_address(0));
-    if (intersect(at)) {
-        shade(at);
-        if (scene_.air()) see_through_air(at);
-    } else if (at.ray->max_distance > tiny) {
-        // ended by the aft clipping plane
-    } else if (meet_distant_source(at)) {
-        shade_chain(scene_.finish(at.surface).modifier, at);
-    }
+    if (scene_.air() && !settings_.irradiance && !(at.ray->lineage & ~(primary_ray | through_ray)))
+        trace_in_air(at);
+    else
+        trace_in_vacuum(at);
     if (!at.radiance.finite()) {
         ++bad_values_;
         at.radiance.clear();
@@ -58,13 +54,38 @@ void Tracer::trace(Interaction& at) {
     if (observer_) observer_->observe(at);
 }
 
-// Distant sources, as the sky, are given as the camera sees them; what is reflected is near by.
-void Tracer::see_through_air(Interaction& at) const {
-    if (at.ray->lineage & ~(primary_ray | through_ray)) return;
-    Spectrum factor(at.channels());
-    const double near = at.ray->path_before;
-    scene_.air()->apply(near, near + at.distance, at.radiance, factor);
-    at.mirrored *= factor;
+void Tracer::trace_in_vacuum(Interaction& at) {
+    if (intersect(at)) {
+        shade(at);
+        return;
+    }
+    if (at.ray->max_distance > tiny) return;  // ended by the aft clipping plane
+    if (meet_distant_source(at)) shade_chain(scene_.finish(at.surface).modifier, at);
+    if (at.sky) {
+        at.sky->radiance = at.radiance;
+        at.sky->share.fill(1.0f);
+    }
+}
+
+// Along a camera ray. Distant sources, as the sky, are given as the camera sees them: the air dims the rest,
+// and adds its own light in front of the rest.
+void Tracer::trace_in_air(Interaction& at) {
+    SkyView own(at.channels());
+    SkyView* const asked = at.sky;
+    if (!asked) at.sky = &own;
+    trace_in_vacuum(at);
+    const SkyView& sky = *at.sky;
+    if (at.distance < distant) {
+        Spectrum air(at.channels()), transmittance(at.channels());
+        const double start = at.ray->fore + at.ray->path_before;
+        const double near = at.ray->parent ? start : 0.0;  // the camera stands before the clipping plane
+        scene_.air()->apply(near, start + at.distance, air, transmittance);
+        for (int c = 0; c < at.channels(); ++c)
+            at.radiance.set(c, transmittance[c] * (at.radiance[c] - sky.radiance[c]) +
+                                   air[c] * (1.0f - sky.share[c]) + sky.radiance[c]);
+        at.mirrored *= transmittance;
+    }
+    at.sky = asked;
 }
 
 void Tracer::cast(Interaction& at) {
@@ -106,9 +127,7 @@ void Tracer::complete_hit(const HitState& state, Interaction& at) const {
 bool Tracer::meet_distant_source(Interaction& at) const {
     const Ray& ray = *at.ray;
     const auto covers = [&](const LightSource& source) {
-        // The rim of a half space belongs to it, so that sky and sea leave no gap.
-        const double rim = source.size > std::numbers::pi ? 1e-6 : 0.0;
-        return 2 * std::numbers::pi * (1.0 - dot(source.center, ray.direction)) <= source.size + rim;
+        return dot(source.center, ray.direction) >= source.least_cosine;
     };
     if (ray.aimed_source >= 0) {
         const LightSource& aimed = scene_.source(ray.aimed_source);
@@ -171,7 +190,10 @@ void Tracer::pass_through(Interaction& at) {
     if (at.distance >= distant || stack_is_used_up()) return;
     child.direction = at.ray->direction;
     Interaction beyond(child);
+    SkyView sky(at.sky ? at.channels() : 1);
+    if (at.sky) beyond.sky = &sky;
     trace(beyond);
+    if (at.sky) *at.sky = sky;
     at.radiance = beyond.radiance;
     at.mirrored = beyond.mirrored;
     at.mirrored_distance = at.distance + beyond.mirrored_distance;
@@ -203,7 +225,13 @@ void Tracer::transport(const Scattering& scattering, Interaction& at) {
 // Kirchhoff: what is neither reflected nor transmitted is emitted.
 void Tracer::add_thermal_emission(const Scattering& scattering, Interaction& at) {
     Spectrum albedo(at.channels());
-    scattering.directional_albedo(albedo);
+    scattering.smooth_albedo(albedo);
+    for (int i = 0; i < scattering.lobe_count && !scattering.pure_specular; ++i) {
+        const Lobe& lobe = *scattering.lobes[i];
+        if (scattering.lobe_sampled[i])
+            albedo.add_scaled(lobe.coefficient,
+                              static_cast<float>(lobe.mean_weight(lobe_ray_count(lobe, at))));
+    }
     for (int c = 0; c < at.channels(); ++c)
         at.radiance.set(c, at.radiance[c] + std::max(0.0f, 1.0f - albedo[c]) * (*at.blackbody)[c]);
 }
@@ -213,7 +241,13 @@ void Tracer::trace_through(const Scattering& scattering, Interaction& at) {
     if (!spawn(child, through_ray, at, &scattering.through_coefficient)) return;
     child.direction = scattering.through_direction;
     Interaction beyond(child);
+    SkyView sky(at.sky ? at.channels() : 1);
+    if (at.sky) beyond.sky = &sky;
     trace(beyond);
+    if (at.sky) {
+        at.sky->radiance.add_product(sky.radiance, child.coefficient);
+        at.sky->share.add_product(sky.share, child.coefficient);
+    }
     at.radiance.add_product(beyond.radiance, child.coefficient);
     if (scattering.as_clear_as_air) {
         at.mirrored = beyond.mirrored * child.coefficient;
@@ -236,22 +270,30 @@ void Tracer::trace_mirror(const Scattering& scattering, Interaction& at) {
     if (scattering.image_behind) at.mirrored_distance += image.apparent_distance();
 }
 
+// Number of rays for a lobe: as many as -lw leaves each of them heavy enough.
+int Tracer::lobe_ray_count(const Lobe& lobe, const Interaction& at) const {
+    const int wanted = lobe.sample_count(at.weight);
+    const double weight = at.weight * std::fmin(lobe.coefficient.maximum(), 1.0);
+    if (settings_.min_weight <= 0 || weight > settings_.min_weight * wanted) return wanted;
+    return std::max(1, static_cast<int>(std::min<double>(weight / settings_.min_weight, most_samples)));
+}
+
 void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     Ray child(at.channels());
     if (!spawn(child, lobe.kind, at, &lobe.coefficient)) return;
-    int count = lobe.sample_count(at.weight);
-    if (settings_.min_weight > 0 && child.weight <= settings_.min_weight * count)
-        count = static_cast<int>(std::min<double>(child.weight / settings_.min_weight, most_samples));
+    const int count = lobe_ray_count(lobe, at);
     if (count > 1) {
         child.coefficient *= 1.0f / static_cast<float>(count);
         child.weight /= count;
-    } else {
-        count = 1;
     }
-    Spectrum sum(at.channels()), weights(at.channels()), tint(at.channels(), 1.0f);
+    Spectrum sum(at.channels()), tint(at.channels(), 1.0f);
     int draws = 0;
     for (int traced = 0; (lobe.redraws ? traced : draws) < count && draws < 10 * count; ++draws) {
         const LobeDraw draw = lobe.sample(random_, draws, count);
+        if (draw.lost > 0 && at.blackbody) {  // not reflected, so absorbed
+            if (lobe.colored) lobe.tint(draw.wi, tint);
+            sum.add_scaled(*at.blackbody * child.coefficient * tint, static_cast<float>(draw.lost));
+        }
         if (draw.weight <= 0) continue;
         ++traced;
         child.direction = draw.wi;
@@ -259,18 +301,9 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
         trace(seen);
         if (lobe.colored) [[unlikely]]
             lobe.tint(draw.wi, tint);
-        const auto weight = static_cast<float>(draw.weight);
-        sum.add_scaled(seen.radiance * child.coefficient * tint, weight);
-        weights.add_scaled(tint, weight);
+        sum.add_scaled(seen.radiance * child.coefficient * tint, static_cast<float>(draw.weight));
     }
     at.radiance.add_scaled(sum, static_cast<float>(count) / static_cast<float>(draws));
-    // Emission has counted on weights that average to 1; what these samples lack of it, or have above it, is
-    // the surface's own, so that the emissivity is that of the lobe as sampled.
-    if (at.blackbody && !lobe.conserves) {
-        Spectrum lacking(at.channels(), 1.0f);
-        lacking.add_scaled(weights, -1.0f / static_cast<float>(draws));
-        at.radiance.add_scaled(*at.blackbody * child.coefficient * lacking, static_cast<float>(count));
-    }
 }
 
 bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, const Spectrum* coefficient) {
@@ -289,6 +322,7 @@ bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, cons
     child.level = parent.level;
     child.ambient_level = parent.ambient_level;
     child.aimed_source = parent.aimed_source;
+    child.fore = parent.fore;
     child.path_before = parent.path_before + from.distance;
     child.shadow_before = parent.is(shadow_rays) ? parent.shadow_before + from.distance : 0.0;
     if (kind & turning_rays) {

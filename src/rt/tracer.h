@@ -91,10 +91,12 @@ class Tracer {
     void complete_hit(const HitState& state, Interaction& at) const;
     void shade(Interaction& at);
 
-    void see_through_air(Interaction& at) const;
+    void trace_in_vacuum(Interaction& at);
+    void trace_in_air(Interaction& at);
     void add_thermal_emission(const Scattering& scattering, Interaction& at);
     void trace_mirror(const Scattering& scattering, Interaction& at);
     void trace_through(const Scattering& scattering, Interaction& at);
+    int lobe_ray_count(const class Lobe& lobe, const Interaction& at) const;
     void trace_lobe(const class Lobe& lobe, Interaction& at);
 
     // ambient/hemisphere.cpp

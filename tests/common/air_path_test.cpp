@@ -75,6 +75,7 @@ TEST(AirPath, RefusesBadFiles) {
     expect("10 0 1\n", "air:1: transmittance 0");
     expect("10 .9 -1\n", "air:1: path radiance -1 is negative");
     expect("10 1 1\n", "air:1: path radiance without absorption");
+    expect("10 .5 10\n20 .4 .5\n", "air:2: path radiance 0.5 is smaller than nearer by");
     expect("0 .9 0\n", "air:1: at distance 0");
     expect("#% bands 12 8\n10 .9 1\n", "air:1: edges of bands");
     expect("#% band 8 12\n10 .9 1\n", "air:1: unknown directive");

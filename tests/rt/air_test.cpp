@@ -60,5 +60,45 @@ TEST_F(Air, GoesOnBehindGlass) {
                 through(3, 20), bar);
 }
 
+// The sky is as the camera sees it behind anything clear, too.
+TEST_F(Air, LeavesTheSkyBehindClearThings) {
+    const std::string sky = test::surrounding(10);
+    const Vec3 origin{0.1, 0.2, 1}, up{0, 0, 1};
+    const std::string sheet = "\nm ring sheet 0 0 8 0 0 4 0 0 1 0 5\n";
+    EXPECT_NEAR(seen("void trans m 0 0 7 1 1 1 0 0 1 1" + sheet + sky, origin, up), 10, bar);
+    EXPECT_NEAR(
+        seen("void glass pane 0 0 4 1 1 1 1 void mixfunc m 4 void pane .3 . 0 0" + sheet + sky, origin, up),
+        10, bar);
+    // Half a black sheet, half sky
+    EXPECT_NEAR(seen("void plastic dark 0 0 5 0 0 0 0 0 void mixfunc m 4 void dark .5 . 0 0" + sheet + sky,
+                     origin, up),
+                0.5 * 10 + 0.5 * through(3, 0), bar);
+    EXPECT_NEAR(seen("void trans m 0 0 7 .5 .5 .5 0 0 1 1" + sheet + sky, origin, up),
+                0.5 * 10 + 0.5 * through(3, 0), bar);
+}
+
+TEST_F(Air, HasNoPartInIrradiance) {
+    RenderSettings settings = test::bounce_settings(64);
+    settings.irradiance = true;
+    const std::string text = "void plastic m 0 0 5 .5 .5 .5 0 0" + test::plate + test::surrounding(10);
+    test::TracedScene vacuum(text, settings);
+    settings.air_path = folder_ / "air.txt";
+    test::TracedScene air(text, settings);
+    const Vec3 origin{0.1, 0.2, 1}, down{0, 0, -1};
+    EXPECT_EQ(air.radiance(origin, down)[0], vacuum.radiance(origin, down)[0]);
+}
+
+// Where a view is clipped in front (-vo) the way from the camera counts.
+TEST_F(Air, BeginsAtTheCamera) {
+    RenderSettings settings;
+    settings.air_path = folder_ / "air.txt";
+    test::TracedScene scene("void glow m 0 0 4 20 20 20 0" + test::plate, settings);
+    Ray ray = scene.tracer().primary({0.1, 0.2, 1}, {0, 0, -1}, 0);
+    ray.fore = 2;
+    Interaction at(ray);
+    scene.tracer().trace(at);
+    EXPECT_NEAR(double(at.radiance[0]), through(3, 20), bar);
+}
+
 }  // namespace
 }  // namespace infra

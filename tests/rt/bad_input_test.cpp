@@ -69,6 +69,13 @@ TEST(BadInput, TemperaturesAndBands) {
     expect_refusal("void thermal m 0 0 2 300 8" + ball, 1, "2 real arguments where 3 or 4 are needed");
     expect_refusal("void glow lamp 0 0 4 1 1 1 0 void thermal m 1 lamp 0 3 300 8 12" + ball, 1,
                    "\"lamp\" emits by itself");
+    expect_refusal("void emissive lamp 0 0 3 1 1 1 void thermal m 1 lamp 0 3 300 8 12" + ball, 1,
+                   "\"lamp\" emits by itself");
+    expect_refusal(
+        "void plastic p 0 0 5 1 1 1 0 0 void thermal hot 1 p 0 3 400 8 12\n"
+        "void mixfunc half 4 hot p .5 . 0 0 void thermal m 1 half 0 3 300 8 12" +
+            ball,
+        2, "\"half\" emits by itself");
     expect_refusal("void thermal hot 0 0 3 300 8 12 void thermal m 1 hot 0 3 300 8 12" + ball, 1,
                    "\"hot\" emits by itself");
 }

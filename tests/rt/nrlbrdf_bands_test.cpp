@@ -147,10 +147,9 @@ TEST(NrlBrdfBands, SaysOnceWhichChannelsHaveNoBand) {
         words("void nrlbrdf other 1", files.all(), "0 5 1 1 1 1 .2\nother sphere s 0 0 4 9 9 9 1\n");
     const test::TracedScene scene(two + plate(files.all(), 1), {}, Channels::spectral(6, 8000, 11000));
     ASSERT_EQ(scene.compiled().warnings().size(), 1U);
-    EXPECT_EQ(
-        scene.compiled().warnings()[0],
-        files.all() +
-            ":1: warning: no band for 3 of the 6 channels, between 9.5 and 11 um: they take the nearest one");
+    EXPECT_EQ(scene.compiled().warnings()[0],
+              files.all() +
+                  ":1: no band for 3 of the 6 channels, between 9.5 and 11 um: they take the nearest one");
     const test::TracedScene fits(plate(files.all(), 1), {}, channels);
     EXPECT_TRUE(fits.compiled().warnings().empty());
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "common/spectra/spectral_color.h"
+#include "common/spectra/resampler.h"
 #include "scene_pieces.h"
 #include "test_data.h"
 

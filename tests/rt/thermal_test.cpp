@@ -126,6 +126,43 @@ TEST(Thermal, TemperaturesOfZeroAreCountedAndDark) {
     test::TracedScene scene("void brightfunc cold 2 -Px . 0 0 cold thermal m 0 0 3 1 8 12" + test::plate);
     EXPECT_EQ(scene.radiance(from_below.origin, from_below.direction)[0], 0.0f);
     EXPECT_EQ(scene.tracer().bad_temperatures(), 1u);
+
+    test::TracedScene beyond("void brightfunc hot 2 1e39 . 0 0 hot thermal m 0 0 3 1 8 12" + test::plate);
+    EXPECT_EQ(beyond.radiance(from_below.origin, from_below.direction)[0], 0.0f);
+    EXPECT_EQ(beyond.tracer().bad_temperatures(), 1u);
+}
+
+std::vector<std::string> warnings(const std::string& text, const Channels& channels = {}) {
+    return test::TracedScene(text + test::plate, {}, channels).compiled().warnings();
+}
+
+TEST(Thermal, WarnsOfBandsThatDoNotMeetTheChannels) {
+    const std::string text = "void thermal m 0 0 3 300 8 12";
+    EXPECT_EQ(warnings(text, Channels::spectral(4, 8000, 12000)), std::vector<std::string>{});
+    EXPECT_EQ(warnings(text, Channels::spectral(4, 9000, 11000)), std::vector<std::string>{});
+    EXPECT_EQ(
+        warnings(text, Channels::spectral(4, 3000, 5000)),
+        std::vector<std::string>{"thermal surfaces of 8-12 um are dark in channels of 3-5 um (-cw is in "
+                                 "nanometres)"});
+    EXPECT_EQ(
+        warnings(text, Channels::spectral(4, 8000, 14000)),
+        std::vector<std::string>{"thermal surfaces of 8-12 um are dark in a part of the channels' 8-14 um"});
+}
+
+TEST(Thermal, WarnsOfTwoBandsInOneColorAndOfCelsius) {
+    const std::string two =
+        "void thermal other 0 0 3 300 3 5 other sphere s 0 0 4 9 9 9 1\n"
+        "void thermal m 0 0 3 300 8 12";
+    ASSERT_EQ(warnings(two).size(), 1u);
+    EXPECT_TRUE(warnings(two)[0].starts_with("thermal surfaces of 3-5 um and of 8-12 um in one rendering"));
+    ASSERT_EQ(warnings("void thermal m 0 0 3 20 8 12").size(), 1u);
+    EXPECT_NE(warnings("void thermal m 0 0 3 20 8 12")[0].find("degrees Celsius?"), std::string::npos);
+}
+
+TEST(Thermal, TellsTheBandOfTheScene) {
+    EXPECT_EQ(test::TracedScene("void thermal m 0 0 3 300 8 12" + test::plate).compiled().band(),
+              (std::pair{8.0, 12.0}));
+    EXPECT_FALSE(test::TracedScene("void emissive m 0 0 3 1 1 1" + test::plate).compiled().band());
 }
 
 // A channel's value is N times the radiance in its part of the band; the mean is the band's.
@@ -144,6 +181,35 @@ TEST(Thermal, ChannelsShareTheBand) {
                   single);
     EXPECT_EQ(seen("void thermal m 0 0 3 300 8 12", from_above, Channels::spectral(3, 3000, 5000)),
               (std::vector<double>{0, 0, 0}));
+}
+
+// Several rays of a rough lobe weigh less than 1 in the mean: what they lose is emitted, without noise.
+TEST(Thermal, RoughSurfacesEmitTheSameForEachRay) {
+    RenderSettings settings = test::path_settings();
+    settings.min_weight = 1e-6;
+    for (const double samples : {1.0, 2.0, 8.0, 64.0})
+        for (const double angle : {0.0, 50.0, 80.0}) {
+            settings.specular_samples = samples;
+            test::TracedScene alone(
+                "void metal skin 0 0 5 .9 .9 .9 .7 .2 void thermal m 1 skin 0 3 300 8 12" + test::plate,
+                settings);
+            const auto emission = test::seen(alone, test::view_of_plate(angle * degree, 0.4), 50);
+            EXPECT_LT(emission.error, 1e-6);
+            EXPECT_GT(emission.mean, 0);
+
+            test::TracedScene furnace(
+                "void metal skin 0 0 5 .9 .9 .9 .7 .2 void thermal m 1 skin 0 3 300 8 12\n"
+                "void thermal black 0 0 3 300 8 12 black bubble room 0 0 4 0 0 0 9" +
+                    test::plate,
+                settings);
+            test::expect_close(test::seen(furnace, test::view_of_plate(angle * degree, 0.4), 50000),
+                               band_radiance(300, 8, 12), 2e-3);
+        }
+}
+
+TEST(Thermal, APatternBeforeItCountsToo) {
+    const auto value = seen("void thermal hot 0 0 3 1 8 12 hot brightfunc m 2 300 . 0 0");
+    EXPECT_NEAR(value[0], band_radiance(300, 8, 12), 1e-4);
 }
 
 // Without lights a picture of it is no mistake.

@@ -114,6 +114,9 @@ def alone(bench):
              ("plastic, smooth", "", functools.partial(plastic_emissivity, .4, .1)),
              ("metal, smooth", "", functools.partial(metal_emissivity, .7)),
              ("trans, smooth", "", functools.partial(plastic_emissivity, .7, .1)),
+             ("plastic, rough .3", "", lambda cosine: 1 - .3 - .7 * .6),
+             ("metal, rough .3", "", lambda cosine: 1 - .6),
+             ("trans, rough .15", "", lambda cosine: 1 - .1 - .9 * .7),
              ("glass", "", functools.partial(glass_emissivity, .8)),
              ("plastic, diffuse .9", ".75", lambda cosine: .75)]
     walls = [(f"{name}{', ε stated' if stated else ''}", WALLS[name], stated, emissivity)

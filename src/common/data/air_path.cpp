@@ -41,32 +41,30 @@ void AirPath::apply(double near, double far, Spectrum& radiance, Spectrum& facto
     }
 }
 
-void AirPath::share_bands(const std::vector<double>& edges_um, const Channels& channels,
-                          const std::string& name) {
+void AirPath::share_bands(const Channels& channels, const std::string& name) {
     const int bands = static_cast<int>(bands_.size());
-    constexpr double nm = 1e-3;        // um
     constexpr double rounding = 1e-6;  // share of a channel that may be left over
     for (int c = 0; c < channels.count(); ++c) {
         std::vector<Share>& shares = shares_[static_cast<std::size_t>(c)];
-        if (edges_um.empty()) {
+        if (edges_um_.empty()) {
             shares.push_back({0, 1, 1});
             continue;
         }
-        const double lo = channels.is_rgb() ? edges_um.front() : nm * channels.lower_nm(c);
-        const double hi = channels.is_rgb() ? edges_um.back() : nm * channels.upper_nm(c);
+        const double lo = channels.is_rgb() ? edges_um_.front() : channels.lower_um(c);
+        const double hi = channels.is_rgb() ? edges_um_.back() : channels.upper_um(c);
         const double scale = channels.is_rgb() ? 1 : channels.count();
         double covered = 0;
         for (int k = 0; k < bands; ++k) {
             const auto i = static_cast<std::size_t>(k);
-            const double width = std::min(hi, edges_um[i + 1]) - std::max(lo, edges_um[i]);
+            const double width = std::min(hi, edges_um_[i + 1]) - std::max(lo, edges_um_[i]);
             if (width <= 0) continue;
             covered += width / (hi - lo);
-            shares.push_back({k, width / (hi - lo), scale * width / (edges_um[i + 1] - edges_um[i])});
+            shares.push_back({k, width / (hi - lo), scale * width / (edges_um_[i + 1] - edges_um_[i])});
         }
         if (covered < 1 - rounding)
             throw Error(Location{name},
-                        formatted("bands of %g-%g um do not cover channel %d, %g-%g um", edges_um.front(),
-                                  edges_um.back(), c, lo, hi),
+                        formatted("bands of %g-%g um do not cover channel %d, %g-%g um", edges_um_.front(),
+                                  edges_um_.back(), c, lo, hi),
                         "-cw must stay within the file's bands");
     }
 }

@@ -37,6 +37,9 @@ class AirPath {
     /// by.
     void apply(double near, double far, Spectrum& radiance, Spectrum& factor) const;
 
+    /// Edges of the file's bands in um, increasing; empty when it states none.
+    const std::vector<double>& edges_um() const { return edges_um_; }
+
   private:
     struct Node {
         double distance;
@@ -55,9 +58,10 @@ class AirPath {
     explicit AirPath(const Channels& channels) : shares_(static_cast<std::size_t>(channels.count())) {}
     Point band_at(int band, double distance) const;
     Point channel_at(int channel, double distance) const;
-    void share_bands(const std::vector<double>& edges_um, const Channels& channels, const std::string& name);
+    void share_bands(const Channels& channels, const std::string& name);
     friend class AirPathReader;
 
+    std::vector<double> edges_um_;
     std::vector<std::vector<Node>> bands_;    ///< by band, by row
     std::vector<std::vector<Share>> shares_;  ///< by channel
 };

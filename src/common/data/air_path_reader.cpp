@@ -5,9 +5,16 @@
 #include "common/error.h"
 #include "common/format.h"
 #include "common/parse_number.h"
+#include "common/text.h"
 #include "common/text_file.h"
 
 namespace infra {
+
+namespace {
+
+constexpr double rounding = 1e-6;  // relative, of numbers in a file
+
+}  // namespace
 
 class AirPathReader {
   public:
@@ -15,9 +22,7 @@ class AirPathReader {
 
     void read(std::string_view text) {
         while (!text.empty()) {
-            const std::size_t end = std::min(text.find('\n'), text.size());
-            const std::string_view line = text.substr(0, end);
-            text.remove_prefix(std::min(end + 1, text.size()));
+            const std::string_view line = take_line(text);
             ++place_.line;
             if (line.starts_with("#%"))
                 read_directive(split_words(line.substr(2)));
@@ -77,6 +82,10 @@ class AirPathReader {
         if (depth < nodes.back().depth)
             throw Error(place_, formatted("transmittance %g is larger than nearer by", tau));
         if (radiance < 0) throw Error(place_, formatted("path radiance %g is negative", radiance));
+        const AirPath::Node& nearer = nodes.back();
+        if (radiance < -std::expm1(-nearer.depth) * nearer.source * (1 - rounding))
+            throw Error(place_, formatted("path radiance %g is smaller than nearer by", radiance),
+                        "what the nearer air sends comes on top of the farther air's");
         if (depth == 0 && radiance > 0)
             throw Error(place_, "path radiance without absorption", "scattering reduces transmittance too");
         const double source = depth > 0 ? radiance / -std::expm1(-depth) : 0.0;
@@ -98,7 +107,8 @@ AirPath AirPath::parse(std::string_view text, const std::string& name, const Cha
     AirPath result(channels);
     AirPathReader reader(result, name);
     reader.read(text);
-    result.share_bands(reader.edges_um, channels, name);
+    result.edges_um_ = reader.edges_um;
+    result.share_bands(channels, name);
     return result;
 }
 

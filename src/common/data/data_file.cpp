@@ -6,6 +6,7 @@
 #include "common/error.h"
 #include "common/format.h"
 #include "common/parse_number.h"
+#include "common/text.h"
 #include "common/text_file.h"
 
 namespace infra {
@@ -41,8 +42,6 @@ class DataText {
     }
 
   private:
-    static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
     void skip_blanks_and_comments() {
         while (at_ < text_.size()) {
             if (text_[at_] == '#') {

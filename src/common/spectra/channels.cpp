@@ -9,6 +9,7 @@
 namespace infra {
 namespace {
 
+constexpr double shortest_sensible_nm = 100;             // smaller numbers are um
 constexpr double red_peak_nm = 607, blue_peak_nm = 469;  // a range within these shows less than three
 
 }  // namespace
@@ -19,6 +20,9 @@ Channels Channels::spectral(int count, double nm_a, double nm_b) {
                     formatted("from %d to %d", fewest, most));
     if (!(nm_a > 0) || !(nm_b > 0) || std::isinf(nm_a) || std::isinf(nm_b) || nm_a == nm_b)
         throw Error(formatted("%g to %g nm is not a range of wavelengths", nm_a, nm_b));
+    if (std::max(nm_a, nm_b) < shortest_sensible_nm)
+        throw Error(formatted("%g to %g nm is not a range of wavelengths", nm_a, nm_b),
+                    "they are in nanometres: 8 um is 8000");
     Channels channels;
     channels.count_ = count;
     channels.rgb_ = false;

@@ -40,6 +40,8 @@ class Channels {
     /// Ends and middle of channel c, 0 .. count - 1.
     double upper_nm(int c) const { return longest_ + (shortest_ - longest_) * c / count_; }
     double lower_nm(int c) const { return upper_nm(c + 1); }
+    double upper_um(int c) const { return 1e-3 * upper_nm(c); }
+    double lower_um(int c) const { return 1e-3 * lower_nm(c); }
     double center_nm(int c) const { return 0.5 * (upper_nm(c) + lower_nm(c)); }
 
     /// Which of red (0), green (1) and blue (2) an RGB triple gives to channel c: above 588 nm, above 480 nm

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace infra {
 namespace {
 
-constexpr double almost_one = 0.99;  // RADIANCE rounds up counts of bands so
 constexpr double rgb_limits_nm[3] = {Channels::red_from_nm, Channels::green_from_nm, Channels::blue_limit_nm};
 constexpr EyeResponse observer[3] = {EyeResponse::x, EyeResponse::y, EyeResponse::z};
 
@@ -29,63 +27,7 @@ Color within_gamut(const Color& color, float luminance) {
     return result;
 }
 
-std::size_t primary(const Channels& channels, int c) {
-    return static_cast<std::size_t>(channels.primary_of(c));
-}
-
-/// Means over the bands of `channels`, 0 outside the spectrum.
-void average(std::span<const double> values, double nm_first, double nm_last, const Channels& channels,
-             double* means) {
-    const double step = (nm_last - nm_first) / static_cast<double>(values.size());
-    const double width = (channels.longest_nm() - channels.shortest_nm()) / channels.count();
-    const auto place = [&](double nm) {  // in values, a band one unit long
-        return std::clamp((nm - nm_first) / step, 0.0, static_cast<double>(values.size()));
-    };
-    for (int c = 0; c < channels.count(); ++c) {
-        double from = place(channels.upper_nm(c)), to = place(channels.lower_nm(c));
-        if (from > to) std::swap(from, to);
-        double sum = 0;
-        for (std::size_t i = static_cast<std::size_t>(from); static_cast<double>(i) < to; ++i) {
-            const double begin = std::max(from, static_cast<double>(i));
-            const double end = std::min(to, static_cast<double>(i + 1));
-            sum += values[i] * (end - begin);
-        }
-        means[c] = sum * std::abs(step) / width;
-    }
-}
-
-/// Colour of a spectrum in equal bands of the range of `bands`, whether or not that reaches all primaries.
-Spectrum rgb_of_bands(const Channels& bands, const double* values) {
-    Spectrum spectrum(bands.count());
-    for (int c = 0; c < bands.count(); ++c) spectrum.set(c, static_cast<float>(values[c]));
-    if (bands.count() == 3) return spectrum;
-    const Color rgb = ColorConverter::through_xyz(bands, xyz_to_rgb(radiance_primaries()))(spectrum);
-    Spectrum result(3);
-    for (int c = 0; c < 3; ++c) result.set(c, rgb[static_cast<std::size_t>(c)]);
-    return result;
-}
-
 }  // namespace
-
-Spectrum resample(const Channels& channels, std::span<const double> values, double nm_first, double nm_last) {
-    double means[Channels::most];
-    if (!channels.is_rgb()) {
-        average(values, nm_first, nm_last, channels, means);
-        Spectrum result(channels.count());
-        for (int c = 0; c < channels.count(); ++c) result.set(c, static_cast<float>(means[c]));
-        return result;
-    }
-    const int given = static_cast<int>(std::min<std::size_t>(values.size(), Channels::most + 1));
-    if (given >= Channels::fewest && given <= Channels::most && nm_first > nm_last && nm_last > 0)
-        return rgb_of_bands(Channels::spectral(given, nm_first, nm_last), values.data());
-    const double visible_nm = Channels::red_limit_nm - Channels::blue_limit_nm;
-    const double bands_per_nm = static_cast<double>(values.size()) / std::abs(nm_first - nm_last);
-    const int count = static_cast<int>(
-        std::clamp<double>(visible_nm * bands_per_nm + almost_one, Channels::fewest, Channels::most));
-    const Channels bands = Channels::spectral(count, Channels::red_limit_nm, Channels::blue_limit_nm);
-    average(values, nm_first, nm_last, bands, means);
-    return rgb_of_bands(bands, means);
-}
 
 Response::Response(const Channels& channels, EyeResponse response) {
     const auto row = std::find(std::begin(observer), std::end(observer), response) - std::begin(observer);
@@ -116,20 +58,24 @@ ColorConverter ColorConverter::xyz(const Channels& channels) {
 }
 
 ColorConverter ColorConverter::rgb(const Channels& channels) {
-    return channels.is_rgb() ? means_by_primary(channels) : rgb(channels, radiance_primaries());
+    return channels.is_rgb() ? means_of_thirds(channels) : rgb(channels, radiance_primaries());
 }
 
 ColorConverter ColorConverter::rgb(const Channels& channels, const Primaries& primaries) {
-    if (!channels.is_rgb() && !channels.shows_colors()) return means_by_primary(channels);
+    if (!channels.is_rgb() && !channels.shows_colors()) return means_of_thirds(channels);
     return through_xyz(channels, adapted_xyz_to_rgb(primaries));
 }
 
-ColorConverter ColorConverter::means_by_primary(const Channels& channels) {
+ColorConverter ColorConverter::means_of_thirds(const Channels& channels) {
     ColorConverter result(channels);
-    std::array<float, 3> counts{};
-    for (int c = 0; c < channels.count(); ++c) ++counts[primary(channels, c)];
-    for (int c = 0; c < channels.count(); ++c)
-        result.rows_[primary(channels, c)][static_cast<std::size_t>(c)] = 1 / counts[primary(channels, c)];
+    const double count = channels.count();
+    for (int third = 0; third < 3; ++third)
+        for (int c = 0; c < channels.count(); ++c) {
+            const double from = std::max(c / count, third / 3.0);
+            const double to = std::min((c + 1) / count, (third + 1) / 3.0);
+            result.rows_[static_cast<std::size_t>(third)][static_cast<std::size_t>(c)] =
+                static_cast<float>(std::max(3 * (to - from), 0.0));
+        }
     return result;
 }
 

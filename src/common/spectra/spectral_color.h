@@ -1,10 +1,8 @@
-// Between spectra and colours: sampled spectra to the channels of a rendering, channels to RGB, XYZ and the
-// responses of the eye.
+// The channels of a rendering as colours: RGB, XYZ and the responses of the eye.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 #include "common/spectra/channels.h"
 #include "common/spectra/color_primaries.h"
@@ -13,13 +11,6 @@
 namespace infra {
 
 using Color = std::array<float, 3>;
-
-/// Mean over each channel's band of a spectrum given as equal bands of nm_first..nm_last (values[0] lies at
-/// the nm_first end), 0 outside; for RGB channels the colour of the spectrum. There three values, longest
-/// wavelengths first, are taken for RGB themselves, and a spectrum of more than 24 bands, or shortest
-/// wavelengths first, is first averaged over up to 24 bands of 780..380 nm: so does RADIANCE.
-///   nm_first, nm_last  above 0, not equal
-Spectrum resample(const Channels& channels, std::span<const double> values, double nm_first, double nm_last);
 
 /// Response of the eye to a spectrum, 1 for an equal-energy spectrum of 1. RGB counts as three bands that
 /// meet at 588 and 480 nm, but x, y and z come from RADIANCE's primaries. Built once a rendering.
@@ -52,8 +43,8 @@ class ColorConverter {
 
   private:
     explicit ColorConverter(const Channels& channels) : channels_(channels.count()) {}
-    /// Means of the channels that red, green and blue would each be given to.
-    static ColorConverter means_by_primary(const Channels& channels);
+    /// Means of the range's thirds; a channel that reaches into two of them gives each its share.
+    static ColorConverter means_of_thirds(const Channels& channels);
 
     using Row = std::array<float, Channels::most>;
     std::array<Row, 3> rows_{};

@@ -26,6 +26,12 @@ class Spectrum {
         return *this;
     }
 
+    bool operator==(const Spectrum& other) const {
+        for (int c = 0; c < channels_; ++c)
+            if ((*this)[c] != other[c]) return false;
+        return channels_ == other.channels_;
+    }
+
     int channels() const { return channels_; }
     float operator[](int c) const { return lane_[c / 4][c % 4]; }
     void set(int c, float value) { lane_[c / 4][c % 4] = value; }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cal/program.h"
@@ -63,6 +64,9 @@ class CompiledScene {
     /// The air along camera rays, nullptr for none.
     const AirPath* air() const { return air_ ? &*air_ : nullptr; }
 
+    /// Band in um that all thermal surfaces state; nothing if there are none or they differ.
+    const std::optional<std::pair<double, double>>& band() const { return band_; }
+
     /// Complete lines for the user, such as a table whose reflectance is over 1.
     const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -80,6 +84,7 @@ class CompiledScene {
     SurfaceTable surfaces_;
     Geometry geometry_{surfaces_};
     std::optional<AirPath> air_;
+    std::optional<std::pair<double, double>> band_;
     std::vector<LightSource> sources_;
     std::vector<int> distant_;
     std::vector<int> sampled_;

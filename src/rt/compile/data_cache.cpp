@@ -32,7 +32,7 @@ std::shared_ptr<const DataTable> shared_picture(ModifierContext& context, std::s
 
 std::shared_ptr<const DataTable> shared_spectral_picture(ModifierContext& context, std::string_view name) {
     return shared_table(context, context.data.spectral_pictures, name, "spectral picture",
-                        read_spectral_table);
+                        read_spectrum_table);
 }
 
 }  // namespace infra

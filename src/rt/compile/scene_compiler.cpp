@@ -42,6 +42,9 @@ class SceneCompiler {
         if (!settings_.air_path.empty())
             out_.air_ =
                 AirPath::read(require_library_file(settings_.air_path, "air path file"), out_.channels_);
+        out_.band_ = tables_.thermal_bands.common();
+        for (std::string& warning : tables_.thermal_bands.warnings(out_.channels_, out_.air()))
+            out_.warnings_.push_back(std::move(warning));
         const float* ambient = settings_.ambient_value;
         out_.ambient_value_ = out_.channels_.from_rgb(ambient[0], ambient[1], ambient[2]);
         out_.irradiance_material_ = std::make_unique<WardMaterial>("Lambertian", nullptr, white, false);
@@ -155,11 +158,13 @@ class SceneCompiler {
             const Finish& finish = out_.finish(static_cast<int>(i));
             const Modifier* material = finish.material ? Modifier::material_of(finish.modifier) : nullptr;
             const Emitter* emitter = material ? material->emitter() : nullptr;
-            if (!emitter || emitter->radiance().maximum() <= same_place) continue;
+            if (!emitter) continue;
+            // What emits besides reflecting is worth seeing without any light.
+            indirect = indirect || !material->traits()->is_light;
+            if (emitter->radiance().maximum() <= same_place) continue;
             const bool distant = scene_.type(surface.primitive) == PrimitiveType::source;
             if (emitter->kind() == Emitter::Kind::glow && !distant && emitter->reach() <= same_place) {
-                // What emits besides reflecting is worth seeing without any light.
-                indirect = indirect || settings_.ambient_bounces > 0 || !material->traits()->is_light;
+                indirect = indirect || settings_.ambient_bounces > 0;
                 continue;
             }
             LightSource source = make_light_source(scene_, surface.primitive, *emitter, out_.warnings_);

@@ -1,4 +1,5 @@
-// What materials share while a scene is compiled: BRDF tables by file, Planck curves by band.
+// What materials share while a scene is compiled: BRDF tables by file, Planck curves by band, the bands
+// themselves.
 #pragma once
 
 #include <map>
@@ -9,6 +10,8 @@
 #include "common/planck/planck_curve.h"
 #include "nrlbrdf/distribution.h"
 #include "nrlbrdf/spectral_table.h"
+#include "rt/compile/scene_bands.h"
+#include "rt/lobes/ward_energy.h"
 
 namespace infra {
 
@@ -21,6 +24,15 @@ struct BrdfTables {
 
 struct TableCache {
     std::map<std::pair<double, double>, std::shared_ptr<const PlanckCurve>> planck_curves;
+
+    SceneBands thermal_bands;
+    std::map<double, std::shared_ptr<const WardEnergy>> ward_energies;
+
+    std::shared_ptr<const WardEnergy> ward_energy_of(double roughness) {
+        auto& slot = ward_energies[roughness];
+        if (!slot) slot = std::make_shared<const WardEnergy>(roughness);
+        return slot;
+    }
 
     /// The curve of a band in um, 0 <= lo < hi.
     std::shared_ptr<const PlanckCurve> planck_curve(double lo_um, double hi_um) {

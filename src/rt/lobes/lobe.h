@@ -18,6 +18,7 @@ namespace infra {
 struct LobeDraw {
     Vec3 wi{0, 0, 1};
     double weight = 0;  ///< 0: this sample brings nothing and is not traced
+    double lost = 0;    ///< weight that it would have, had it not gone below the surface
 };
 
 class Lobe {
@@ -30,7 +31,6 @@ class Lobe {
         false;  ///< samples of no weight are replaced until `count` are traced, and divided by all draws
 
     bool colored = false;
-    bool conserves = false;  ///< the weights average to 1 exactly, so that `coefficient` is the lobe's albedo
 
     /// f |cos| [1/sr] over `coefficient`, for a light source of solid angle omega [sr] around wi; 0 on the
     /// wrong side. Some models widen the lobe by the source's size, as RADIANCE does; omega = 0 gives the
@@ -42,6 +42,9 @@ class Lobe {
     virtual double pdf(const Vec3& wi) const = 0;
     /// Each channel's factor on eval() and on a sample's weight at wi. Asked of colored lobes only.
     virtual void tint(const Vec3&, Spectrum& factor) const { factor.fill(1.0f); }
+    /// What the tracer's mean over `count` samples, weights and lost ones together, expects to be: 1 for a
+    /// lobe that loses no energy. Its albedo is `coefficient` times this.
+    virtual double mean_weight(int) const { return 1; }
     /// Number of samples wanted for a ray of this weight, at least 1.
     virtual int sample_count(double ray_weight) const = 0;
 

@@ -27,7 +27,6 @@ class TableLobe final : public Lobe {
           inverse_albedo_(1.0 / albedo),
           samples_(samples) {
         colored = spectral != nullptr;
-        conserves = normal == surface_normal;  // a texture may send samples below the surface
         make_frame(normal, u_, v_);
         wo_ = to_local(to_viewer);
     }
@@ -44,7 +43,8 @@ class TableLobe final : public Lobe {
         const double u2 = random.uniform(), u3 = random.uniform();
         const LobeSample drawn = sampler_.sample(wo_, u1, u2, u3);
         const Vec3 wi = u_ * drawn.wi.x + v_ * drawn.wi.y + normal_ * drawn.wi.z;
-        return {wi, dot(wi, surface_normal_) > same_place ? drawn.weight * inverse_albedo_ : 0.0};
+        const double weight = drawn.weight * inverse_albedo_;
+        return dot(wi, surface_normal_) > same_place ? LobeDraw{wi, weight} : LobeDraw{wi, 0.0, weight};
     }
 
     double pdf(const Vec3& wi) const override { return sampler_.pdf(wo_, to_local(wi)); }

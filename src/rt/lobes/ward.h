@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "rt/lobes/lobe.h"
+#include "rt/lobes/ward_energy.h"
 #include "rt/ray.h"
 #include "rt/settings.h"
 
@@ -16,11 +17,12 @@ namespace infra {
 
 /// What both lobes know of the hit and of the options.
 struct WardSetting {
-    Vec3 view_direction;      ///< of the ray, towards the surface
-    Vec3 normal;              ///< with its textures, facing the viewer
-    Vec3 surface_normal;      ///< without: no ray goes below this one
-    double alpha_squared;     ///< square of the RMS slope of the facets
-    double specular_samples;  ///< -ss
+    Vec3 view_direction;                 ///< of the ray, towards the surface
+    Vec3 normal;                         ///< with its textures, facing the viewer
+    Vec3 surface_normal;                 ///< without: no ray goes below this one
+    double alpha_squared;                ///< square of the RMS slope of the facets
+    double specular_samples;             ///< -ss
+    const WardEnergy* energy = nullptr;  ///< of the reflection, where several rays may sample it
 };
 
 /// Number of rays for -ss: one up to 1.5, above that so many for a ray of weight 1.
@@ -35,6 +37,17 @@ inline double ward_slope(const WardSetting& s, double u) {
     if (s.specular_samples >= 0 && s.specular_samples < 1) u = 1.0 - s.specular_samples * u;
     constexpr double least = 0x1p-53;  // the generator's step: keeps the slope finite
     return std::sqrt(s.alpha_squared * -std::log(u > least ? u : least));
+}
+
+/// Direction that facets of this half vector (normal plus slope) reflect the view to.
+inline Vec3 ward_reflected(const Vec3& view_direction, const Vec3& half) {
+    return normalize(view_direction + half * (-2.0 * dot(half, view_direction) / dot(half, half)));
+}
+
+/// Weight of one of several rays: for the reflectance that WardReflection::eval has; 0 below the surface.
+inline double ward_weight(const Vec3& view_direction, const Vec3& wi, const Vec3& surface_normal) {
+    const double cosine = dot(wi, surface_normal);
+    return cosine > same_place ? 2.0 / (1.0 - dot(view_direction, surface_normal) / cosine) : 0.0;
 }
 
 class WardReflection final : public Lobe {
@@ -68,14 +81,11 @@ class WardReflection final : public Lobe {
             const double angle = 2 * std::numbers::pi * random.uniform();
             const double slope = ward_slope(s_, random.uniform());
             const Vec3 half = s_.normal + (u_ * std::cos(angle) + v_ * std::sin(angle)) * slope;
-            const double reach = -2.0 * dot(half, s_.view_direction) / (1.0 + slope * slope);
-            const Vec3 wi = normalize(s_.view_direction + half * reach);
-            const double cosine = dot(wi, s_.surface_normal);
-            const double cosine_out = -dot(s_.view_direction, s_.surface_normal);
-            if (count > 1) return {wi, cosine > same_place ? 2.0 / (1.0 + cosine_out / cosine) : 0.0};
-            if (cosine > same_place) return {wi, 1.0};
+            const Vec3 wi = ward_reflected(s_.view_direction, half);
+            if (count > 1) return {wi, ward_weight(s_.view_direction, wi, s_.surface_normal)};
+            if (dot(wi, s_.surface_normal) > same_place) return {wi, 1.0};
         }
-        return {};
+        return {.lost = 1};
     }
 
     /// Of a single attempt: what sample() draws again is missing from its integral.
@@ -86,6 +96,11 @@ class WardReflection final : public Lobe {
         const double tangent2 = (1.0 - c * c) / (c * c);
         return std::exp(-tangent2 / s_.alpha_squared) /
                (4.0 * std::numbers::pi * s_.alpha_squared * c * c * c * -dot(half, s_.view_direction));
+    }
+
+    double mean_weight(int count) const override {
+        return count > 1 && s_.energy ? s_.energy->mean_weight(-dot(s_.view_direction, s_.normal), count)
+                                      : 1.0;
     }
 
     int sample_count(double ray_weight) const override {
@@ -122,7 +137,7 @@ class WardTransmission final : public Lobe {
             const Vec3 wi = normalize(straight_ + (u_ * std::cos(angle) + v_ * std::sin(angle)) * slope);
             if (dot(wi, s_.surface_normal) < -same_place) return {wi, 1.0};
         }
-        return {};
+        return {.lost = 1};
     }
 
     /// The displacement lies in the surface's plane: density of the slope times the change from slope to

@@ -35,7 +35,7 @@ class LightMaterial final : public Modifier, public Emitter {
     LightMaterial(Kind kind, ModifierContext& context)
         : Modifier(context.name(), context.next),
           Emitter(kind, context.color(0)),
-          traits_{.name = context.name(), .blocks_light = false, .is_light = true} {}
+          traits_{.name = context.name(), .blocks_light = false, .emits = true, .is_light = true} {}
 
     void set_reach(double reach) { reach_ = reach; }
     void set_beam(const SpotBeam& beam) { beam_ = beam; }

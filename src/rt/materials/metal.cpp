@@ -16,7 +16,7 @@ std::unique_ptr<Modifier> make_metal(ModifierContext& context) {
     p.specularity = context.reals()[3];
     p.roughness = context.reals()[4];
     p.metallic = true;
-    return std::make_unique<WardMaterial>(context.name(), context.next, p, false);
+    return make_ward_material(context, std::move(p), false);
 }
 
 }  // namespace infra

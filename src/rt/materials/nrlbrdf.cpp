@@ -88,7 +88,7 @@ BrdfTables make_tables(ModifierContext& context, const std::vector<std::string>&
     std::vector<LoadedTable> set = load_set(context, paths);
     const ChannelShares shares = share_tables(context.channels, set);
     if (const std::string gaps = describe_gaps(context.channels, shares); !gaps.empty())
-        context.warnings.push_back(Error(set.front().place, "warning: " + gaps).what());
+        context.warnings.push_back(Error(set.front().place, gaps).what());
     if (const int only = shares.only_table(); only >= 0) {
         auto& table = set[static_cast<std::size_t>(only)].table;
         return {std::make_shared<const TableDistribution>(std::move(table)), nullptr};

@@ -7,15 +7,13 @@ namespace infra {
 
 double fresnel_approximation(double c) { return std::exp(-5.85 * c) - 0.00287989916; }
 
-void Scattering::directional_albedo(Spectrum& result) const {
+void Scattering::smooth_albedo(Spectrum& result) const {
     result.clear();
     if (has_mirror) result += mirror_coefficient;
     if (has_through) result += through_coefficient;
     if (pure_specular) return;
     result += ambient;
     result += ambient_through;
-    for (int i = 0; i < lobe_count; ++i)
-        if (lobe_sampled[i]) result += lobes[i]->coefficient;
 }
 
 void Scattering::eval(const Vec3& wi, double omega, Spectrum& result) const {

@@ -66,9 +66,8 @@ class Scattering {
         ++lobe_count;
     }
 
-    /// Reflectance plus transmittance towards the viewer, as far as it is sampled by rays: 1 less this is the
-    /// emissivity. Of lobes their coefficient; what their samples weigh is the tracer's care.
-    void directional_albedo(Spectrum& result) const;
+    /// Reflectance plus transmittance towards the viewer of all but the lobes that rays sample.
+    void smooth_albedo(Spectrum& result) const;
 
     /// Reflected radiance per incident radiance and solid angle, f |cos| [1/sr], for a source of size omega
     /// [sr] around wi: Lambertian parts and lobes, not the mirror.

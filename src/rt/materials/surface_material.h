@@ -11,7 +11,8 @@ namespace infra {
 class SurfaceMaterial : public Modifier {
   public:
     SurfaceMaterial(std::string_view name, const Modifier* next, bool transparent)
-        : Modifier(name, next), traits_{name, transparent, !transparent, false} {}
+        : Modifier(name, next),
+          traits_{.name = name, .transparent = transparent, .blocks_light = !transparent} {}
 
     /// Fills `out` for the hit `at`: its normal faces the viewer, its patterns and textures have been applied
     /// and out.normal is the normal with textures. shadow: only what a shadow ray passes through is wanted.

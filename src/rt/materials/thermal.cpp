@@ -14,6 +14,7 @@
 // never sampled as a light source but found by indirect rays, lobes and mirrors. In a spectral rendering each
 // channel gets its own part of the band (common/spectra/channels.h).
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -29,17 +30,17 @@
 namespace infra {
 namespace {
 
-constexpr double no_emissivity = -1;  // stated
+constexpr double no_emissivity = -1;    // stated
+constexpr double unlikely_below = 100;  // kelvin: such numbers are degrees Celsius
 
 /// Planck's radiance by channel.
 class ThermalSpectrum {
   public:
     ThermalSpectrum(ModifierContext& context, double lo_um, double hi_um) {
-        constexpr double nm = 1e-3;  // um
         const Channels& channels = context.channels;
         for (int c = 0; c < channels.count(); ++c) {
-            const double lo = channels.is_rgb() ? lo_um : std::max(lo_um, nm * channels.lower_nm(c));
-            const double hi = channels.is_rgb() ? hi_um : std::min(hi_um, nm * channels.upper_nm(c));
+            const double lo = channels.is_rgb() ? lo_um : std::max(lo_um, channels.lower_um(c));
+            const double hi = channels.is_rgb() ? hi_um : std::min(hi_um, channels.upper_um(c));
             auto& curve = curves_.emplace_back();
             if (lo < hi) curve = context.tables.planck_curve(lo, hi);
         }
@@ -79,7 +80,7 @@ class ThermalMaterial final : public Modifier, public Emitter {
     const Emitter* emitter() const override { return this; }
 
   private:
-    /// False for a temperature that is not above 0 K.
+    /// False for a temperature that is not above 0 K, or infinite.
     bool blackbody_radiance(const Spectrum& pattern, Spectrum& result) const;
     void shade_surface(Tracer& tracer, Interaction& at, const Spectrum& blackbody) const;
 
@@ -97,7 +98,7 @@ bool ThermalMaterial::blackbody_radiance(const Spectrum& pattern, Spectrum& resu
             continue;
         }
         const double temperature = temperature_ * double(pattern[c]);
-        if (!(temperature > 0)) return false;
+        if (!(temperature > 0) || std::isinf(temperature)) return false;
         result.set(c, static_cast<float>(spectrum_.radiance(c, temperature)));
     }
     return true;
@@ -109,7 +110,7 @@ bool ThermalMaterial::shade(Tracer& tracer, Interaction& at) const {
         tracer.pass_through(at);
         return true;
     }
-    if (!next()) {
+    if (!next() && at.pattern == Spectrum(at.channels(), 1.0f)) {
         shade_surface(tracer, at, radiance_);
         return true;
     }
@@ -150,9 +151,15 @@ std::unique_ptr<Modifier> make_thermal(ModifierContext& context) {
         throw context.error(formatted("emissivity %g is not within 0..1", numbers[3]));
     const Modifier* reflecting = wrapped_material(context);
     const Modifier* material = Modifier::material_of(reflecting);
-    if (material && (material->traits()->is_light || dynamic_cast<const ThermalMaterial*>(material)))
+    if (material && material->traits()->emits)
         throw context.error("\"" + std::string(material->name()) + "\" emits by itself",
                             "thermal takes a material that reflects or transmits");
+    if (context.next == nullptr && temperature < unlikely_below)
+        context.warnings.push_back(context
+                                       .error(formatted("temperature %g K", temperature),
+                                              "T is in kelvin; is this in degrees Celsius?")
+                                       .what());
+    context.tables.thermal_bands.add(lo_um, hi_um);
     return std::make_unique<ThermalMaterial>(context, reflecting);
 }
 

@@ -18,7 +18,7 @@ std::unique_ptr<Modifier> make_trans(ModifierContext& context) {
     p.roughness = context.reals()[4];
     p.transmissivity = context.reals()[5];
     p.transmitted_specular = context.reals()[6];
-    return std::make_unique<WardMaterial>(context.name(), context.next, p, true);
+    return make_ward_material(context, std::move(p), true);
 }
 
 }  // namespace infra

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rt/compile/modifier_table.h"
+#include "rt/compile/table_cache.h"
 #include "rt/lobes/ward.h"
 
 namespace infra {
@@ -20,6 +22,14 @@ Vec3 bent_direction(const Interaction& at, bool shadow) {
 }
 
 }  // namespace
+
+std::unique_ptr<Modifier> make_ward_material(ModifierContext& context, WardParameters parameters,
+                                             bool transparent) {
+    const bool rough = parameters.roughness * parameters.roughness > tiny;
+    if (rough && ward_sample_count(context.settings.specular_samples, 1) > 1)
+        parameters.energy = context.tables.ward_energy_of(parameters.roughness);
+    return std::make_unique<WardMaterial>(context.name(), context.next, parameters, transparent);
+}
 
 void WardMaterial::scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings,
                            bool shadow, Scattering& out) const {
@@ -73,8 +83,9 @@ void WardMaterial::scatter(const Interaction& at, bool flat_surface, const Rende
 
     // Lobes: evaluated for light sources always, sampled above the threshold
     if (!smooth) {
-        const WardSetting setting{at.ray->direction, out.normal, at.normal, p_.roughness * p_.roughness,
-                                  settings.specular_samples};
+        const WardSetting setting{
+            at.ray->direction,         out.normal,     at.normal, p_.roughness * p_.roughness,
+            settings.specular_samples, p_.energy.get()};
         if (reflects)
             out.add_lobe<WardReflection>(reflection_sampled, specular_color, setting,
                                          flat_surface && !textured ? 1.0 - settings.source_jitter : 0.0);

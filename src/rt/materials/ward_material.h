@@ -2,6 +2,9 @@
 // transmission.
 #pragma once
 
+#include <memory>
+
+#include "rt/lobes/ward_energy.h"
 #include "rt/materials/surface_material.h"
 
 namespace infra {
@@ -13,7 +16,14 @@ struct WardParameters {
     double transmissivity = 0;        ///< fraction of what is not reflected specularly that goes through
     double transmitted_specular = 0;  ///< fraction of that which goes straight through
     bool metallic = false;            ///< the reflection takes the material's colour
+    std::shared_ptr<const WardEnergy> energy;  ///< of rough ones, where -ss asks for several rays
 };
+
+class ModifierContext;
+
+/// Plastic, metal or trans with these parameters.
+std::unique_ptr<Modifier> make_ward_material(ModifierContext& context, WardParameters parameters,
+                                             bool transparent);
 
 class WardMaterial final : public SurfaceMaterial {
   public:

@@ -6,7 +6,7 @@ namespace infra {
 
 MaterialTraits wrapper_traits(std::string_view name, const Modifier* reflecting) {
     const Modifier* material = Modifier::material_of(reflecting);
-    MaterialTraits traits{.name = name, .blocks_light = true};
+    MaterialTraits traits{.name = name, .blocks_light = true, .emits = true};
     if (material) {
         traits.transparent = material->traits()->transparent;
         traits.blocks_light = material->traits()->blocks_light;

@@ -13,7 +13,8 @@ MaterialTraits wrapper_traits(std::string_view name, const Modifier* reflecting)
 const Modifier* wrapped_material(const ModifierContext& context);
 
 /// Shades the patterns on a wrapper by themselves: what modifies its emission does not modify the material.
-/// The result stands in `pattern`, 1 where there are none.
+/// The result stands in `pattern`; it starts from the hit's, which is 1 unless a pattern came before the
+/// wrapper.
 void emission_pattern(const Modifier& wrapper, Tracer& tracer, Interaction& at, Spectrum& pattern);
 
 }  // namespace infra

@@ -30,6 +30,9 @@ Mixture::Mixture(ModifierContext& context)
       foreground_(context.modifier_named(context.strings()[0])),
       background_(context.modifier_named(context.strings()[1])),
       mixes_materials_(material_of(foreground_) || material_of(background_)) {
+    for (const Modifier* part : {foreground_, background_})
+        if (const Modifier* material = material_of(part); material && material->traits()->emits)
+            traits_.emits = true;
     if (context.next && mixes_materials_)
         throw context.error("inappropriate modifier on a mixture of materials",
                             "modify the materials instead");
@@ -41,6 +44,11 @@ bool Mixture::shade(Tracer& tracer, Interaction& at) const {
     share = std::clamp(share, 0.0, 1.0);
 
     Interaction fore = at, back = at;
+    SkyView fore_sky(at.sky ? at.channels() : 1), back_sky = fore_sky;
+    if (at.sky) {
+        fore.sky = &fore_sky;
+        back.sky = &back_sky;
+    }
     const bool fore_material = shade_part(tracer, fore, foreground_, share);
     const bool back_material = shade_part(tracer, back, background_, 1.0 - share);
     if (back_material && !fore_material && share > negligible) tracer.pass_through(fore);
@@ -52,6 +60,10 @@ bool Mixture::shade(Tracer& tracer, Interaction& at) const {
 
     mix(at.radiance, fore.radiance, share, back.radiance);
     mix(at.mirrored, fore.mirrored, share, back.mirrored);
+    if (at.sky) {
+        mix(at.sky->radiance, fore_sky.radiance, share, back_sky.radiance);
+        mix(at.sky->share, fore_sky.share, share, back_sky.share);
+    }
     const double fore_mirrored = share * fore.mirrored.brightness();
     const double back_mirrored = (1.0 - share) * back.mirrored.brightness();
     at.mirrored_distance = fore_mirrored > back_mirrored ? fore.mirrored_distance : back.mirrored_distance;

@@ -11,7 +11,7 @@
 // reference manual, "Patterns".
 #include "rt/compile/data_cache.h"
 #include "rt/compile/modifier_table.h"
-#include "rt/patterns/spectral_table.h"
+#include "rt/patterns/spectral_data_pattern.h"
 
 namespace infra {
 
@@ -20,7 +20,7 @@ std::unique_ptr<Modifier> make_specdata(ModifierContext& context) {
     if (table->dimensions() < 2)
         throw context.error("a data file of 1 dimension",
                             "specdata needs at least 2, the last is the wavelength");
-    return std::make_unique<SpectralTablePattern>(context, std::move(table));
+    return std::make_unique<SpectralDataPattern>(context, std::move(table));
 }
 
 }  // namespace infra

@@ -10,7 +10,7 @@
 // as many values as the file has, taken at half its mean step from the begin on, are stretched over the whole
 // range.
 #include "common/format.h"
-#include "common/spectra/spectral_color.h"
+#include "common/spectra/resampler.h"
 #include "rt/compile/data_cache.h"
 #include "rt/compile/modifier_table.h"
 #include "rt/patterns/constant_spectrum.h"

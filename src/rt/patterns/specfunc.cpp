@@ -9,8 +9,9 @@
 // them; each is drawn at random from the middle nine tenths of its step. source: RADIANCE reference manual,
 // "Patterns", and measured.
 #include <algorithm>
+#include <optional>
 
-#include "common/spectra/spectral_color.h"
+#include "common/spectra/resampler.h"
 #include "rt/compile/modifier_table.h"
 #include "rt/functions/functions.h"
 #include "rt/patterns/constant_spectrum.h"
@@ -40,10 +41,11 @@ class SpectralFunction final : public Modifier {
             (channels.longest_nm() - channels.shortest_nm()) / (samples_per_channel * channels.count());
         const double step = std::max((longest_ - shortest_) / most_samples, finest);
         count_ = std::max(static_cast<int>((longest_ - shortest_) / step + 0.1), 1);
+        resampler_.emplace(channels, static_cast<std::size_t>(count_), shortest_, longest_);
     }
 
     bool shade(Tracer& tracer, Interaction& at) const override {
-        if (count_ == 0) return false;
+        if (!resampler_) return false;
         FunctionCall call(function_, tracer, at);
         const double step = (longest_ - shortest_) / count_;
         double values[most_samples];
@@ -52,15 +54,15 @@ class SpectralFunction final : public Modifier {
             values[i] = call.call(0, shortest_ + (i + 0.5 + shift) * step);
         }
         if (!call.ok()) return false;
-        const std::span<const double> spectrum(values, static_cast<std::size_t>(count_));
-        at.pattern *= resample(tracer.scene().channels(), spectrum, shortest_, longest_);
+        at.pattern *= (*resampler_)(std::span(values).first(static_cast<std::size_t>(count_)));
         return false;
     }
 
   private:
     FunctionSet function_;
     double shortest_ = 0, longest_ = 0;
-    int count_ = 0;  ///< 0: nothing to do with the channels rendered
+    int count_ = 0;
+    std::optional<Resampler> resampler_;  ///< none: nothing to do with the channels rendered
 };
 
 }  // namespace

@@ -9,13 +9,13 @@
 // RADIANCE reference manual, "Patterns".
 #include "rt/compile/data_cache.h"
 #include "rt/compile/modifier_table.h"
-#include "rt/patterns/spectral_table.h"
+#include "rt/patterns/spectral_data_pattern.h"
 
 namespace infra {
 
 std::unique_ptr<Modifier> make_specpict(ModifierContext& context) {
-    return std::make_unique<SpectralTablePattern>(context,
-                                                  shared_spectral_picture(context, context.strings()[1]));
+    return std::make_unique<SpectralDataPattern>(context,
+                                                 shared_spectral_picture(context, context.strings()[1]));
 }
 
 }  // namespace infra

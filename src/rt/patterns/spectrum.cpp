@@ -8,7 +8,7 @@
 // s1 belongs to the wavelength nmA, sn to nmB, the others lie evenly between them; each counts for one step,
 // so that the spectrum covers half a step more than nmA..nmB at either end and is 0 beyond. In an RGB
 // rendering it becomes a colour. source: RADIANCE reference manual, "Patterns".
-#include "common/spectra/spectral_color.h"
+#include "common/spectra/resampler.h"
 #include "rt/compile/modifier_table.h"
 #include "rt/patterns/constant_spectrum.h"
 

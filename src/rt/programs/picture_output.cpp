@@ -2,10 +2,14 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include "common/atomic_file.h"
+#include "common/error.h"
 #include "common/format.h"
 #include "common/pictures/spectral_header.h"
 #include "common/version.h"
@@ -52,17 +56,20 @@ Picture in_output_channels(Picture picture, const RpictOptions& options, const C
 }
 
 PictureHeader picture_header(const std::vector<std::string>& first_lines, const RpictOptions& options,
-                             const Picture& picture, const Channels& channels) {
+                             const Picture& picture, const CompiledScene& scene) {
     PictureHeader header;
     header.lines = first_lines;
     header.add("VIEW=" + format_view(options.view));
     if (options.pixel_aspect < 0.995 || options.pixel_aspect > 1.005)
         header.add(formatted("PIXASPECT=%f", options.pixel_aspect));
     if (options.color.kind == Kind::primaries && !picture.bands) {
-        for (const std::string& line : color_header_lines(options.color, channels)) header.add(line);
+        for (const std::string& line : color_header_lines(options.color, scene.channels())) header.add(line);
     } else if (picture.space == ColorSpace::rgb) {
         header.add(standard_primaries);
     }
+    // Bands of spectral channels stand in lines of their own.
+    if (const auto& band = scene.band(); band && !picture.bands)
+        header.add(formatted("BAND= %g-%g um", band->first, band->second));
     return header;
 }
 
@@ -79,7 +86,7 @@ ExrDescription describe(const RpictOptions& options, const Picture& picture,
         description.quantity = "tristimulus values";
         description.unit.clear();
     }
-    if (picture.bands) description.band = band_in_um(*picture.bands);
+    description.band = picture.bands ? band_in_um(*picture.bands) : picture.header.value("BAND").value_or("");
     return description;
 }
 
@@ -87,6 +94,18 @@ void write_depth(const std::string& path, const std::vector<float>& depth) {
     AtomicFile file(path);
     std::fwrite(depth.data(), sizeof(float), depth.size(), file.stream());
     file.commit();
+}
+
+/// A name that promises another format is a slip.
+void refuse_foreign(const std::string& path) {
+    for (const char* ending : {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".pfm", ".ppm", ".bmp", ".gif"}) {
+        const std::string_view suffix(ending);
+        if (path.size() < suffix.size()) continue;
+        const auto last = path.end() - static_cast<std::ptrdiff_t>(suffix.size());
+        if (std::equal(last, path.end(), suffix.begin(),
+                       [](unsigned char a, char b) { return std::tolower(a) == b; }))
+            throw Error(Location{path}, "rpict writes .hdr, .hsr and .exr", "irview makes PNG of them");
+    }
 }
 
 /// Pipes and devices are left alone: opening them has consequences.
@@ -104,14 +123,15 @@ bool writes_colors(const RpictOptions& options) {
 }
 
 void check_writable(const RpictOptions& options) {
+    refuse_foreign(options.output);
     check_writable(options.output);
     check_writable(options.depth_output);
 }
 
-void write_frame(Frame frame, const Channels& channels, const RpictOptions& options,
+void write_frame(Frame frame, const CompiledScene& scene, const RpictOptions& options,
                  const std::vector<std::string>& first_lines, const std::string& command_line) {
-    Picture picture = in_output_channels(std::move(frame.picture), options, channels);
-    picture.header = picture_header(first_lines, options, picture, channels);
+    Picture picture = in_output_channels(std::move(frame.picture), options, scene.channels());
+    picture.header = picture_header(first_lines, options, picture, scene);
     if (!options.depth_output.empty()) write_depth(options.depth_output, frame.depth);
     if (is_exr(options.output)) {
         write_exr(options.output, picture, describe(options, picture, command_line));

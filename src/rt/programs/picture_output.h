@@ -20,7 +20,7 @@ void check_writable(const RpictOptions& options);
 /// the same command gives the same file.
 ///   first_lines   of the header: how the picture came about
 ///   command_line  rpict's
-void write_frame(Frame frame, const Channels& channels, const RpictOptions& options,
+void write_frame(Frame frame, const CompiledScene& scene, const RpictOptions& options,
                  const std::vector<std::string>& first_lines, const std::string& command_line);
 
 }  // namespace infra

@@ -29,7 +29,8 @@ void PixelTracer::trace(int column, int row) {
     double reach = 0;
     if (!view_ray(view_, x, y, origin, direction, reach)) return;
 
-    const Ray ray = tracer_.primary(origin, direction, std::isfinite(reach) ? reach : 0);
+    Ray ray = tracer_.primary(origin, direction, std::isfinite(reach) ? reach : 0);
+    ray.fore = view_.fore;
     Interaction at(ray);
     tracer_.trace(at);
     for (int c = 0; c < at.channels(); ++c) pixel[c] = at.radiance[c];

@@ -66,7 +66,7 @@ int rpict(int argc, char** argv) {
     progress.finish();
     throw_if_interrupted();
 
-    write_frame(std::move(frame), channels, options, header_lines(loaded.header, table.command_line()),
+    write_frame(std::move(frame), *loaded.scene, options, header_lines(loaded.header, table.command_line()),
                 table.command_line());
     faults.report(warn);
     return 0;

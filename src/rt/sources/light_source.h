@@ -34,8 +34,9 @@ struct LightSource {
 
     Vec3 center{0};  ///< distant: unit direction towards it
     Vec3 normal{0};
-    double radius = 0;  ///< of the surrounding sphere
-    double size = 0;    ///< area, cylinder: the greatest projected area; distant: solid angle [sr]
+    double radius = 0;        ///< of the surrounding sphere
+    double least_cosine = 1;  ///< distant: of a direction within the disk and `center`
+    double size = 0;          ///< area, cylinder: the greatest projected area; distant: solid angle [sr]
     Vec3 half_axis[3] = {Vec3{0}, Vec3{0}, Vec3{0}};
     const Modifier* modifier = nullptr;  ///< of the surface: what gives the radiance
     bool passes_unseen = false;  ///< an illum without another material, seen through when not aimed at

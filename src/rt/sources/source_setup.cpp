@@ -126,6 +126,9 @@ void set_distant(const Scene& scene, PrimitiveId id, LightSource& source) {
     source.center = normalize(direction);
     source.normal = source.center;
     source.size = 2 * pi * (1.0 - std::cos(half_angle));
+    // The rim of a half space belongs to it, so that sky and sea leave no gap.
+    const double rim = source.size > pi ? 1e-6 : 0.0;
+    source.least_cosine = 1.0 - (source.size + rim) / (2 * pi);
     source.radius = std::sqrt(source.size / pi);
     set_square_axes(source);
 }

@@ -5,17 +5,18 @@
 #include <vector>
 
 #include "common/data/data_table.h"
+#include "common/spectra/resampler.h"
 #include "rt/functions/functions.h"
 #include "rt/modifier.h"
 
 namespace infra {
 
-class SpectralTablePattern final : public Modifier {
+class SpectralDataPattern final : public Modifier {
   public:
     static constexpr std::size_t most_wavelengths = 4096;
 
     /// String arguments: func file funcfile x1 x2.. transform, with func(value, nm).
-    SpectralTablePattern(ModifierContext& context, std::shared_ptr<const DataTable> table);
+    SpectralDataPattern(ModifierContext& context, std::shared_ptr<const DataTable> table);
 
     bool shade(Tracer& tracer, Interaction& at) const override;
 
@@ -24,6 +25,7 @@ class SpectralTablePattern final : public Modifier {
     FunctionSet functions_;
     double nm_first_, nm_step_;
     std::vector<DataAxis::Cell> cells_;  ///< of evenly spaced wavelengths among the table's own
+    Resampler resampler_;
 };
 
 }  // namespace infra
