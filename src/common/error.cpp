@@ -21,6 +21,25 @@ std::string complete_line(const Location& where, std::string_view message, std::
     return line;
 }
 
+/// Whether a byte goes on with a character of UTF-8.
+bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+/// Bytes of the character of UTF-8 that `text` begins with; 0 for a control character and for none.
+std::size_t printable_length(std::string_view text) {
+    const auto first = static_cast<unsigned char>(text[0]);
+    if (first < 0x80U) return first >= ' ' && first != 0x7FU;
+    const std::size_t length = first < 0xE0U ? 2 : first < 0xF0U ? 3 : 4;
+    if (first < 0xC2U || first > 0xF4U || text.size() < length) return 0;
+    unsigned code = first & (0x7FU >> length);
+    for (const char byte : text.substr(1, length - 1)) {
+        if (!is_continuation(byte)) return 0;
+        code = code << 6U | (static_cast<unsigned char>(byte) & 0x3FU);
+    }
+    constexpr unsigned least[] = {0xA0, 0x800, 0x10000};  // below 0xA0 are further control characters
+    const bool is_surrogate = code >= 0xD800U && code < 0xE000U;
+    return code >= least[length - 2] && code < 0x110000U && !is_surrogate ? length : 0;
+}
+
 /// A full device shows only when the last bytes leave the buffer.
 void flush_standard_output() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
@@ -55,10 +74,26 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string one_line(std::string_view text) {
-    std::string line(text);
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+    std::string line;
+    while (!text.empty()) {
+        const std::size_t length = printable_length(text);
+        line += length > 0 ? text.substr(0, length) : "?";
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
     return line;
+}
+
+std::string message_line(std::string_view text) {
+    constexpr std::size_t longest_word = 300;
+    const std::string line = one_line(text);
+    std::string shortened;
+    std::size_t characters = 0;
+    for (const char c : line) {
+        characters = c == ' ' ? 0 : characters + !is_continuation(c);
+        if (characters <= longest_word) shortened += c;
+        if (characters == longest_word + 1 && !is_continuation(c)) shortened += "...";
+    }
+    return shortened;
 }
 
 int run_program(const char* name, int (*body)(int argc, char** argv), int argc, char** argv) {
@@ -67,13 +102,13 @@ int run_program(const char* name, int (*body)(int argc, char** argv), int argc, 
         flush_standard_output();
         return status;
     } catch (const Error& error) {
-        std::fprintf(stderr, "%s: %s\n", name, one_line(error.what()).c_str());
+        std::fprintf(stderr, "%s: %s\n", name, message_line(error.what()).c_str());
         return static_cast<int>(error.severity());
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "%s: out of memory\n", name);
         return static_cast<int>(Severity::system);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s: internal error: %s\n", name, one_line(error.what()).c_str());
+        std::fprintf(stderr, "%s: internal error: %s\n", name, message_line(error.what()).c_str());
         return static_cast<int>(Severity::internal);
     }
 }

@@ -1,6 +1,7 @@
 // The one error type for what users give us. Libraries throw it; only a program's main prints it and exits.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -48,7 +49,9 @@ std::string nearest_name(std::string_view name, const Range& known) {
     for (const auto& candidate : known) {
         const std::string_view view(candidate);
         const std::size_t distance = edit_distance(name, view);
-        if (distance > 0 && distance <= best_distance && (best.empty() || distance < best_distance)) {
+        const bool is_alike = distance < std::max(name.size(), view.size());  // not another word as short
+        if (is_alike && distance > 0 && distance <= best_distance &&
+            (best.empty() || distance < best_distance)) {
             best = std::string(view);
             best_distance = distance;
         }
@@ -56,8 +59,12 @@ std::string nearest_name(std::string_view name, const Range& known) {
     return best;
 }
 
-/// A message as one line: control characters, which names of files may hold, become '?'.
+/// A text as one printable line: control characters, which names of files may hold, and bytes that are not
+/// UTF-8 become '?'.
 std::string one_line(std::string_view text);
+
+/// one_line() as messages print it: words longer than 300 characters are cut, marked by "...".
+std::string message_line(std::string_view text);
 
 /// Runs a program's body: prints any exception as one line "program: what" on stderr and turns it into the
 /// exit status. Bytes that the body has printed and the standard output has lost are an error too.

@@ -3,12 +3,9 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "common/text.h"
+
 namespace infra {
-namespace {
-
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
-}  // namespace
 
 std::string formatted(const char* format, ...) {
     std::va_list arguments, again;

@@ -7,6 +7,7 @@
 #include "common/error.h"
 #include "common/format.h"
 #include "common/parse_number.h"
+#include "common/text.h"
 #include "common/text_file.h"
 #include "common/version.h"
 
@@ -25,12 +26,10 @@ constexpr int most_expansions = 1000;
 std::vector<std::string> words_of_file(std::string_view text) {
     std::vector<std::string> words;
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        for (std::string& word : split_words(text.substr(0, end))) {
+        for (std::string& word : split_words(take_line(text))) {
             if (word[0] == '#') break;
             words.push_back(std::move(word));
         }
-        text.remove_prefix(std::min(end + 1, text.size()));
     }
     return words;
 }
@@ -53,6 +52,15 @@ bool is_option(const std::string& word) {
 /// Whether `suffix` after a toggle's spelling sets it.
 bool is_toggle_suffix(std::string_view suffix) {
     return suffix == "+" || suffix == "-" || suffix == "1" || suffix == "0";
+}
+
+/// Fewer arguments than the option takes before the next option or the end.
+[[noreturn]] void missing_arguments(const OptionRow& row, std::string_view option) {
+    const std::size_t count = row.pattern.size();
+    const bool numbers = row.pattern.find('s') == std::string::npos;
+    const std::string what = count == 1 ? (numbers ? "needs a number" : "needs an argument")
+                                        : formatted("needs %zu %s", count, numbers ? "numbers" : "arguments");
+    command_line_error(option, what, "usage: " + row.spelling + " " + row.arguments);
 }
 
 void check_value(const OptionRow& row, char kind, std::string_view option, const std::string& value) {
@@ -106,11 +114,12 @@ const OptionRow* OptionTable::find(std::string_view word, std::string_view& atta
 }
 
 std::string OptionTable::near_spelling(std::string_view word) const {
-    std::vector<std::string_view> known;
+    const auto without_dash = [](std::string_view spelling) { return spelling.substr(1); };
+    std::vector<std::string_view> known{"defaults", "help", "version"};
     for (const OptionRow& row : rows_)
-        if (row.unsupported.empty()) known.push_back(row.spelling);
-    known.insert(known.end(), {"-defaults", "-help", "-version"});
-    return nearest_name(word, known);
+        if (row.unsupported.empty()) known.push_back(without_dash(row.spelling));
+    const std::string near = nearest_name(without_dash(word), known);
+    return near.empty() ? near : "-" + near;
 }
 
 std::size_t OptionTable::apply(const OptionRow& row, std::string_view attached,
@@ -118,11 +127,12 @@ std::size_t OptionTable::apply(const OptionRow& row, std::string_view attached,
     const std::string& word = words[i];
     if (!row.unsupported.empty()) command_line_error(word, "option is not supported", row.unsupported);
     const std::size_t count = row.pattern.size();
-    if (words.size() - i - 1 < count) {
-        const std::string usage = "usage: " + row.spelling + " " + row.arguments;
-        command_line_error(word, count == 1 ? "missing argument" : "missing arguments", usage);
+    if (words.size() - i - 1 < count) missing_arguments(row, word);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::string& value = words[i + 1 + k];
+        if (row.pattern[k] != 's' && is_option(value)) missing_arguments(row, word);
+        check_value(row, row.pattern[k], word, value);
     }
-    for (std::size_t k = 0; k < count; ++k) check_value(row, row.pattern[k], word, words[i + 1 + k]);
     row.apply({word, attached, std::span(words).subspan(i + 1, count)});
     return count;
 }

@@ -1,4 +1,5 @@
 // irview: a radiance picture as figures, as false colours with a legend, and as apparent temperatures.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -21,9 +22,10 @@ namespace {
 
 bool is_exr(const std::string& path) { return path.ends_with(".exr"); }
 
-/// The scale asked for, or that of the band that the picture names.
-RadianceScale radiance_scale(const IrviewArguments& arguments, const PictureHeader& header) {
-    if (arguments.scale) return *arguments.scale;
+/// The scale asked for, or that of the band that the picture names. A channel of a spectral picture has its
+/// own band: what is asked for is the whole range's.
+RadianceScale radiance_scale(const IrviewArguments& arguments, const PictureHeader& header, bool own_band) {
+    if (arguments.scale && !own_band) return *arguments.scale;
     const std::string hint = "-band 8 12 gives it in um, -response file a spectral response";
     const auto band = header.value("BAND");
     if (!band) throw Error(Location{arguments.picture}, "the picture names no band", hint);
@@ -35,9 +37,10 @@ RadianceScale radiance_scale(const IrviewArguments& arguments, const PictureHead
 }
 
 /// The values to show: those of the picture, or the temperatures wanted.
-Picture shown_values(const Picture& picture, const IrviewArguments& arguments) {
+///   own_band  it is a channel of a spectral picture
+Picture shown_values(const Picture& picture, const IrviewArguments& arguments, bool own_band = false) {
     if (!arguments.temperature) return picture;
-    const RadianceScale scale = radiance_scale(arguments, picture.header);
+    const RadianceScale scale = radiance_scale(arguments, picture.header, own_band);
     return apparent_temperature(picture, scale, *arguments.temperature);
 }
 
@@ -68,9 +71,33 @@ std::vector<Measured> measured_values(const Picture& picture, const IrviewArgume
     }
     const int first = channel >= 0 ? channel : -1, last = channel >= 0 ? channel : picture.channels - 1;
     for (int c = first; c <= last; ++c)
-        result.push_back(
-            {{c < 0 ? "all" : std::to_string(c)}, shown_values(in_band_radiance(picture, c), arguments)});
+        result.push_back({{c < 0 ? "all" : std::to_string(c)},
+                          shown_values(in_band_radiance(picture, c), arguments, c >= 0)});
     return result;
+}
+
+std::string lack(const IrviewArguments& arguments) {
+    return arguments.temperature ? "have no temperature" : "are not finite numbers";
+}
+
+/// throws Error that names file and region when none of its pixels has a value
+std::vector<Statistics> measure(const Picture& values, const Region& region,
+                                const IrviewArguments& arguments) {
+    try {
+        return region_statistics(values, region);
+    } catch (const Error& error) {
+        throw Error(Location{arguments.picture}, error.message(), error.hint());
+    }
+}
+
+/// Says once of a region how many of its pixels the figures leave out, where some do.
+void warn_of_left_out(const Region& region, std::size_t missing, const IrviewArguments& arguments) {
+    if (missing == 0) return;
+    const int pixels = (region.x1 - region.x0) * (region.y1 - region.y0);
+    const std::string text =
+        formatted("%s: region %s: %zu of %d pixels %s and are left out", arguments.picture.c_str(),
+                  region.label.c_str(), missing, pixels, lack(arguments).c_str());
+    std::fprintf(stderr, "irview: warning: %s\n", message_line(text).c_str());
 }
 
 void print_statistics(const Picture& picture, const IrviewArguments& arguments, int channel) {
@@ -79,14 +106,17 @@ void print_statistics(const Picture& picture, const IrviewArguments& arguments, 
     const std::vector<Measured> measured = measured_values(picture, arguments, channel);
     std::string table;  // all before the first is printed
     for (const Region& region : regions) {
+        std::size_t missing = 0;
         for (const Measured& part : measured) {
-            const std::vector<Statistics> statistics = region_statistics(part.values, region);
+            const std::vector<Statistics> statistics = measure(part.values, region, arguments);
             for (std::size_t c = 0; c < statistics.size(); ++c) {
                 const Statistics& s = statistics[c];
+                missing = std::max(missing, s.missing);
                 table += formatted("%s\t%s\t%zu\t%.9g\t%.9g\t%.9g\t%.9g\n", region.label.c_str(),
                                    part.names[c].c_str(), s.count, s.mean, s.deviation, s.minimum, s.maximum);
             }
         }
+        warn_of_left_out(region, missing, arguments);
     }
     if (arguments.temperature)
         std::printf("# apparent temperature, %s, %s\n", unit_name(*arguments.temperature).c_str(),
@@ -97,13 +127,15 @@ void print_statistics(const Picture& picture, const IrviewArguments& arguments, 
     std::printf("# region\tchannel\tpixels\tmean\tdeviation\tminimum\tmaximum\n%s", table.c_str());
 }
 
-void warn_of_missing(const Picture& shown) {
+void warn_of_missing(const Picture& shown, const IrviewArguments& arguments) {
     std::size_t missing = 0, first = 0;
     for (std::size_t i = 0; i < shown.pixels.size(); ++i)
         if (!std::isfinite(shown.pixels[i]) && missing++ == 0) first = i;
-    if (missing > 0)
-        std::fprintf(stderr, "irview: warning: %zu pixels have no temperature, the first is %zu %zu\n",
-                     missing, first % shown.width, first / shown.width);
+    if (missing == 0) return;
+    const std::string text =
+        formatted("%s: %zu pixels %s, the first is %zu %zu", arguments.picture.c_str(), missing,
+                  lack(arguments).c_str(), first % shown.width, first / shown.width);
+    std::fprintf(stderr, "irview: warning: %s\n", message_line(text).c_str());
 }
 
 Image8 false_color_image(const Picture& shown, const IrviewArguments& arguments) {
@@ -118,7 +150,7 @@ Image8 false_color_image(const Picture& shown, const IrviewArguments& arguments)
         .palette = arguments.palette};
     Image8 image = false_color_with_legend(shown.pixels, shown.width, shown.height, scale);
     for (const Region& region : arguments.regions)
-        mark_region(image, region, region_statistics(shown, region)[0].mean,
+        mark_region(image, region, measure(shown, region, arguments)[0].mean,
                     (image.height - shown.height) / 2);
     return image;
 }
@@ -133,7 +165,7 @@ ExrDescription describe(const PictureHeader& header, const std::string& command_
 }
 
 void write_outputs(const Picture& shown, const IrviewArguments& arguments) {
-    if (arguments.temperature) warn_of_missing(shown);
+    if (arguments.temperature) warn_of_missing(shown, arguments);
     for (const std::string& path : arguments.outputs) {
         if (is_exr(path)) {
             write_exr(path, shown, describe(shown.header, arguments.command_line));
@@ -153,6 +185,9 @@ int run(int argc, char** argv) {
 
     const int channel =
         arguments->wavelength_um ? channel_at(picture, *arguments->wavelength_um) : arguments->channel;
+    if (picture.bands && channel >= 0 && arguments->scale)
+        throw Error("-band and -response are for the whole range of a spectral picture",
+                    "a channel has its own band: leave them out");
     if (arguments->print_statistics) print_statistics(picture, *arguments, channel);
     if (!arguments->outputs.empty())
         write_outputs(shown_values(single_channel(picture, channel), *arguments), *arguments);

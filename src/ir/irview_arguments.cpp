@@ -76,7 +76,7 @@ void add_temperature_options(OptionTable& table, IrviewArguments& arguments) {
             [&arguments](const OptionValues& given) {
                 set_scale(arguments, given, RadianceScale::of_band(given.real(0), given.real(1)));
             },
-            "band of the radiances in um; without it the one that the picture names")
+            "band of the radiances in um, not of single channels; without it the one that the picture names")
         .named("lo hi");
     table
         .custom(

@@ -45,7 +45,7 @@ int channel_at(const Picture& picture, double wavelength_um) {
     for (int c = 0; c < bands.count(); ++c)
         if (nm <= bands.upper_nm(c) && nm >= bands.lower_nm(c)) return c;
     throw Error(formatted("the picture has no channel at %g um", wavelength_um),
-                "its range is " + band_in_um(bands));
+                "-wl is in um; the picture's range is " + band_in_um(bands));
 }
 
 Picture in_band_radiance(const Picture& picture, int channel) {

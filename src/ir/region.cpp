@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "common/error.h"
 #include "common/format.h"
@@ -11,26 +12,22 @@ namespace {
 
 /// Two passes in double: exact enough for a deviation a millionth of the mean.
 Statistics channel_statistics(const Picture& picture, const Region& region, int channel) {
-    Statistics result;
-    result.minimum = result.maximum = picture.at(region.x0, region.y0)[channel];
-    double sum = 0;
-    for (int y = region.y0; y < region.y1; ++y) {
-        for (int x = region.x0; x < region.x1; ++x) {
-            const double value = picture.at(x, y)[channel];
-            if (!std::isfinite(value))
-                throw Error(formatted("pixel %d %d is not a finite number in channel %d", x, y, channel));
-            sum += value;
-            result.minimum = std::min(result.minimum, value);
-            result.maximum = std::max(result.maximum, value);
-            ++result.count;
-        }
-    }
-    result.mean = sum / double(result.count);
-    if (result.count < 2) return result;
-    double squares = 0;
+    std::vector<double> values;
     for (int y = region.y0; y < region.y1; ++y)
         for (int x = region.x0; x < region.x1; ++x)
-            squares += std::pow(picture.at(x, y)[channel] - result.mean, 2);
+            if (const double value = picture.at(x, y)[channel]; std::isfinite(value)) values.push_back(value);
+    const std::size_t pixels = std::size_t(region.x1 - region.x0) * (region.y1 - region.y0);
+    if (values.empty())
+        throw Error(
+            formatted("region %s has no pixel with a value in channel %d", region.label.c_str(), channel));
+    Statistics result{.count = values.size(), .missing = pixels - values.size()};
+    const auto [minimum, maximum] = std::ranges::minmax(values);
+    result.minimum = minimum;
+    result.maximum = maximum;
+    result.mean = std::accumulate(values.begin(), values.end(), 0.0) / double(result.count);
+    if (result.count < 2) return result;
+    double squares = 0;
+    for (const double value : values) squares += std::pow(value - result.mean, 2);
     result.deviation = std::sqrt(squares / double(result.count - 1));
     return result;
 }

@@ -21,7 +21,8 @@ struct Region {
 /// One channel of one region. The standard error of the mean is deviation / sqrt(count) where pixels are
 /// independent.
 struct Statistics {
-    std::size_t count = 0;
+    std::size_t count = 0;    ///< of the pixels that the figures are made of
+    std::size_t missing = 0;  ///< of those left out, which have no value
     double mean = 0;
     double deviation = 0;  ///< standard deviation of a pixel, with count - 1; 0 for a single pixel
     double minimum = 0;
@@ -31,8 +32,8 @@ struct Statistics {
 /// Throws Error for a region that is empty or reaches over the edge of the picture.
 void check_region(const Picture& picture, const Region& region);
 
-/// shape: one entry a channel. throws Error as check_region, and for a pixel that is not finite, which it
-/// names.
+/// shape: one entry a channel. Pixels that are not finite are left out. throws Error as check_region, and
+/// when no pixel of a channel is left.
 std::vector<Statistics> region_statistics(const Picture& picture, const Region& region);
 
 }  // namespace infra::ir

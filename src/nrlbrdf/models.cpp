@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "common/atomic_file.h"
+#include "common/text.h"
 
 namespace infra {
 namespace {
@@ -58,9 +59,8 @@ void write_table(const std::string& path, const BrdfGrid& grid, std::string_view
                  const std::optional<WavelengthBand>& band) {
     AtomicFile file(path);
     for (std::string_view rest = comment; !rest.empty();) {
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
-        std::fprintf(file.stream(), "# %.*s\n", static_cast<int>(end), rest.data());
-        rest.remove_prefix(std::min(end + 1, rest.size()));
+        const std::string_view line = take_line(rest);
+        std::fprintf(file.stream(), "# %.*s\n", static_cast<int>(line.size()), line.data());
     }
     if (band) std::fprintf(file.stream(), "#%% band %.15g %.15g\n", band->lo_um, band->hi_um);
     if (grid.phi_origin != 0) std::fputs("#% mirror 0\n", file.stream());

@@ -57,9 +57,11 @@ Layout read_counts(TableText& text) {
             throw Error({text.name(), text.line()}, std::string("table ends before the count ") + names[n],
                         "a table starts with three counts: Ni Np Nt");
         const Location here{text.name(), text.line()};
-        if (!(number >= 2) || number != std::floor(number))
+        const bool sensible = number >= 2 && number <= static_cast<double>(max_table_values);
+        if (!sensible || number != std::floor(number))
             throw Error(here, std::string("bad count ") + names[n] + ": " + printed(number),
-                        "a whole number >= 2");
+                        n == 0 ? "a table starts with three counts, whole numbers >= 2: Ni Np Nt"
+                               : "a whole number >= 2");
         product *= number;
         if (product > static_cast<double>(max_table_values))
             throw Error(here, "table of " + printed(product) + " values is too large",
@@ -177,8 +179,8 @@ int worst_reflectance(const std::vector<double>& reflectances) {
 }
 
 std::string energy_warning(Location where, double reflectance, const std::string& angle) {
-    return Error(std::move(where), "warning: directional-hemispherical reflectance " + printed(reflectance) +
-                                       " is over 1 at " + angle)
+    return Error(std::move(where),
+                 "directional-hemispherical reflectance " + printed(reflectance) + " is over 1 at " + angle)
         .what();
 }
 

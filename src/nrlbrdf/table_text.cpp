@@ -8,11 +8,10 @@
 #include <utility>
 
 #include "common/error.h"
+#include "common/text.h"
 
 namespace infra {
 namespace {
-
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// A word as it may stand in a message: short and printable.
 std::string quoted(std::string_view word) {

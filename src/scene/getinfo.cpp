@@ -1,4 +1,5 @@
-// getinfo: prints, changes or removes the information header of a picture, octree or mesh.
+// getinfo: prints, changes or removes the information header of a picture, octree or mesh. Of OpenEXR it
+// prints what the file says about itself.
 #include <unistd.h>
 
 #include <cerrno>
@@ -7,6 +8,7 @@
 
 #include "common/error.h"
 #include "common/format.h"
+#include "common/pictures/exr_info.h"
 #include "scene/info_header.h"
 #include "scene/octree_format.h"
 
@@ -88,27 +90,51 @@ int run_on_data(char** command, const std::vector<std::string>& words, Dimension
     throw Error(std::string("cannot run ") + command[0] + ": " + std::strerror(errno));
 }
 
+void print_header(const std::string& path, const std::vector<std::string>& lines) {
+    std::printf("%s:\n\t", path.c_str());
+    for (const std::string& line : lines) std::printf("%s\n\t", line.c_str());
+    std::putchar('\n');
+}
+
+/// An OpenEXR picture as print_file(); its rows are RADIANCE's usual ones, from the top and from the left.
+bool print_exr(const std::string& path, Dimensions dimensions) {
+    ExrInfo info;
+    try {
+        info = read_exr_info(path);
+    } catch (const Error& error) {
+        std::fprintf(stderr, "getinfo: %s\n", message_line(error.what()).c_str());
+        return false;
+    }
+    const std::string size = formatted("-Y %d +X %d", info.height, info.width);
+    if (dimensions == Dimensions::only) {
+        std::printf("%s: %s\n", path.c_str(), size.c_str());
+        return true;
+    }
+    print_header(path, info.lines);
+    if (dimensions == Dimensions::too) std::printf("\t%s\n", size.c_str());
+    return true;
+}
+
 /// Prints one file under its name; false if it cannot be read, so that the others get their turn.
 bool print_file(const std::string& path, Dimensions dimensions) {
     std::FILE* const file = std::fopen(path.c_str(), "rb");
     if (file == nullptr) {
         const char* const why = std::strerror(errno);
-        std::fprintf(stderr, "getinfo: %s: cannot open: %s\n", one_line(path).c_str(), why);
+        std::fprintf(stderr, "getinfo: %s: cannot open: %s\n", message_line(path).c_str(), why);
         return false;
     }
     const auto header = read_info_header(file);
     if (!header) {
         std::fclose(file);
+        if (is_exr_file(path)) return print_exr(path, dimensions);
         std::fprintf(stderr, "getinfo: %s: bad header (is it a picture, octree or mesh?)\n",
-                     one_line(path).c_str());
+                     message_line(path).c_str());
         return false;
     }
     if (dimensions == Dimensions::only) {
         std::printf("%s: %s\n", path.c_str(), dimensions_of(file).c_str());
     } else {
-        std::printf("%s:\n\t", path.c_str());
-        for (const std::string& line : header->lines) std::printf("%s\n\t", line.c_str());
-        std::putchar('\n');
+        print_header(path, header->lines);
         if (dimensions == Dimensions::too) std::printf("\t%s\n", dimensions_of(file).c_str());
     }
     std::fclose(file);

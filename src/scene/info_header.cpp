@@ -2,14 +2,13 @@
 
 #include <cctype>
 
+#include "common/text.h"
 #include "scene/octree_format.h"
 
 namespace infra {
 namespace {
 
 constexpr std::size_t longest_header = 1 << 20;
-
-bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 std::string_view without_indent(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);

@@ -8,7 +8,7 @@ namespace infra {
 
 WarningSink print_warnings(std::string program) {
     return [program = std::move(program)](std::string_view text) {
-        std::fprintf(stderr, "%s: warning - %s\n", program.c_str(), one_line(text).c_str());
+        std::fprintf(stderr, "%s: warning - %s\n", program.c_str(), message_line(text).c_str());
     };
 }
 

@@ -44,7 +44,28 @@ TEST(RunProgram, KeepsErrorsToOneLine) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "rpict: a?b?.rad:2: odd\n");
 }
 
-TEST(OneLine, KeepsEverythingElse) { EXPECT_EQ(one_line("M\xc3\xbchle \x7f\x01"), "M\xc3\xbchle ??"); }
+TEST(OneLine, KeepsEverythingElse) {
+    EXPECT_EQ(one_line("M\xc3\xbchle \x7f\x01"), "M\xc3\xbchle ??");
+    EXPECT_EQ(one_line("\xe6\xb5\xb7 \xf0\x9f\x8c\x8a.rad"), "\xe6\xb5\xb7 \xf0\x9f\x8c\x8a.rad");
+}
+
+// Latin 1, a cut character, an overlong '/', a surrogate, a control character of two bytes.
+TEST(OneLine, MarksWhatIsNotPrintable) {
+    EXPECT_EQ(one_line("M\xfchle"), "M?hle");
+    EXPECT_EQ(one_line("a\xe6\xb5"), "a??");
+    EXPECT_EQ(one_line("\xc0\xaf"), "??");
+    EXPECT_EQ(one_line("\xed\xa0\x80"), "???");
+    EXPECT_EQ(one_line("\xc2\x9b"), "??");
+}
+
+TEST(MessageLine, CutsLongWords) {
+    EXPECT_EQ(message_line(std::string(300, 'x') + " y"), std::string(300, 'x') + " y");
+    EXPECT_EQ(message_line("found \"" + std::string(5000000, '1') + "\" (hint)"),
+              "found \"" + std::string(299, '1') + "... (hint)");
+    std::string umlauts;
+    for (int i = 0; i < 301; ++i) umlauts += "\xc3\xbc";
+    EXPECT_EQ(message_line(umlauts), umlauts.substr(0, 600) + "...");
+}
 
 }  // namespace
 }  // namespace infra

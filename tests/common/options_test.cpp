@@ -108,6 +108,8 @@ TEST(Options, LoneDashAndNothingAreOperands) {
 
 TEST(Options, ErrorsNameTheOption) {
     Fixture f;
+    EXPECT_EQ(f.error({"-z"}), "command line error at '-z': unknown option (-help lists the options)");
+    EXPECT_EQ(f.error({"-zz"}), "command line error at '-zz': unknown option (-help lists the options)");
     EXPECT_EQ(f.error({"-zzzz"}), "command line error at '-zzzz': unknown option (-help lists the options)");
     EXPECT_EQ(f.error({"-abb", "2"}), "command line error at '-abb': unknown option (did you mean '-ab'?)");
     EXPECT_EQ(f.error({"-defualts"}),
@@ -116,10 +118,11 @@ TEST(Options, ErrorsNameTheOption) {
     EXPECT_EQ(f.error({"-ab", "1.5"}), "command line error at '-ab 1.5': expected an integer");
     EXPECT_EQ(f.error({"-ab", "-1"}), "command line error at '-ab -1': expected a number of at least 0");
     EXPECT_EQ(f.error({"-dt", "nan"}), "command line error at '-dt nan': expected a number");
-    EXPECT_EQ(f.error({"-ab"}), "command line error at '-ab': missing argument (usage: -ab integer)");
-    EXPECT_EQ(f.error({"-vp", "1", "2"}),
-              "command line error at '-vp': missing arguments (usage: -vp x y z)");
-    EXPECT_EQ(f.error({"-vp", "1", "2", "-ab"}), "command line error at '-vp -ab': expected a number");
+    EXPECT_EQ(f.error({"-ab"}), "command line error at '-ab': needs a number (usage: -ab integer)");
+    EXPECT_EQ(f.error({"-vp", "1", "2"}), "command line error at '-vp': needs 3 numbers (usage: -vp x y z)");
+    EXPECT_EQ(f.error({"-vp", "1", "2", "-ab", "3"}),
+              "command line error at '-vp': needs 3 numbers (usage: -vp x y z)");
+    EXPECT_EQ(f.error({"-vp", "1", "b", "3"}), "command line error at '-vp b': expected a number");
     EXPECT_EQ(f.error({"-u2"}), "command line error at '-u2': unknown option (did you mean '-u'?)");
     EXPECT_EQ(f.error({"-cw", "12", "8"}), "command line error at '-cw 12 8': the first must be less");
     EXPECT_EQ(f.error({"-am", "3"}),

@@ -76,7 +76,7 @@ std::string spectral_file(const std::string& splits) {
 TEST(PictureTable, KnowsTheWavelengthsOfSpectra) {
     const TemporaryFolder folder;
     test::write_file(folder / "p.hsr", spectral_file("WAVELENGTH_SPLITS= 12000 10666.7 9333.33 8000\n"));
-    const DataTable table = read_spectral_table(folder / "p.hsr");
+    const DataTable table = read_spectrum_table(folder / "p.hsr");
     EXPECT_EQ(table.dimensions(), 3u);
     EXPECT_EQ(table.last_axis().begin(), 11500);
     EXPECT_EQ(table.last_axis().end(), 8500);
@@ -91,7 +91,7 @@ TEST(PictureTable, TakesSpectralOpenExr) {
     for (int i = 0; i < 16; ++i) picture.pixels.push_back(static_cast<float>(i));
     picture.bands = Channels::spectral(4, 8000, 12000);
     write_exr(folder / "p.exr", picture, {});
-    const DataTable table = read_spectral_table(folder / "p.exr");
+    const DataTable table = read_spectrum_table(folder / "p.exr");
     const double upper_right[3] = {1, 1, 9500};
     EXPECT_EQ(table.value(upper_right), 6);
 }
@@ -108,9 +108,9 @@ TEST(PictureTable, SaysWhyItRefuses) {
     refused(read_color_table, "cannot read picture");
     test::write_file(folder / "p", spectral_file(""));
     refused(read_color_table, "a picture of 4 channels is not one of colours (specpict takes");
-    refused(read_spectral_table, "does not say what its wavelengths are");
+    refused(read_spectrum_table, "does not say what its wavelengths are");
     test::write_file(folder / "p", spectral_file("WAVELENGTH_SPLITS= 400 500 600 700\n"));
-    refused(read_spectral_table, "does not say what its wavelengths are");
+    refused(read_spectrum_table, "does not say what its wavelengths are");
     test::write_file(folder / "p",
                      "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + std::string(8, '\1'));
     refused(read_color_table, "a picture of 2 x 1 pixels is too small");
@@ -118,7 +118,7 @@ TEST(PictureTable, SaysWhyItRefuses) {
     test::write_file(folder / "p", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 2 +X 2\n" + pixels);
     refused(read_color_table, "an XYZ picture where RGB is needed");
     test::write_file(folder / "p", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n" + pixels);
-    refused(read_spectral_table, "this is no spectral picture");
+    refused(read_spectrum_table, "this is no spectral picture");
 }
 
 }  // namespace

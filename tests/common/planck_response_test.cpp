@@ -107,7 +107,7 @@ TEST(SpectralResponse, SaysWhatIsWrongAndWhere) {
          "lwir.txt:1: a response needs at least 2 samples, found 1 (a line is a wavelength in um and "
          "a weight)"},
         {"",
-         "lwir.txt: a response needs at least 2 samples, found 0 (a line is a wavelength in um and a "
+         "lwir.txt:1: a response needs at least 2 samples, found 0 (a line is a wavelength in um and a "
          "weight)"},
     };
     for (const auto& [text, expected] : cases) EXPECT_EQ(error_of([&] { parsed(text); }), expected) << text;

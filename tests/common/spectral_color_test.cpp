@@ -1,9 +1,9 @@
 // Spectra to channels and channels to colours, against numbers that RADIANCE 6.1 prints for the same spectra.
-#include "common/spectra/spectral_color.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "common/spectra/resampler.h"
 
 namespace {
 

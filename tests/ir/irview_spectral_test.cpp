@@ -1,6 +1,8 @@
 // irview on spectral pictures: the whole range by default, single bands by number or wavelength.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "common/pictures/picture.h"
 #include "common/planck/planck.h"
 #include "programs/command.h"
@@ -83,10 +85,36 @@ TEST_F(IrviewSpectral, PrintsEveryBand) {
     EXPECT_NE(one.out.find("# channel 7: 8-8.5 um\n"), std::string::npos) << one.out;
 }
 
+// A band stands for the whole range: channels keep their own.
+TEST_F(IrviewSpectral, AChannelHasItsOwnBand) {
+    folder_.write("flat", "8 1\n12 1\n");
+    for (const std::string scale : {"-band 8 12", "-response flat"}) {
+        EXPECT_NEAR(shown("-K " + scale).at(2, 0)[0], 300, 1e-3) << scale;
+        const Outcome outcome = run(folder_, "irview -K " + scale + " -stats -region 2 0 3 1 pixel p.exr");
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        std::istringstream lines(outcome.out);
+        int rows = 0;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with('#')) continue;
+            std::istringstream words(line);
+            std::string region, name, pixels;
+            double mean = 0;
+            words >> region >> name >> pixels >> mean;
+            EXPECT_NEAR(mean, 300, 1e-3) << line;
+            ++rows;
+        }
+        EXPECT_EQ(rows, 1 + bands_count);
+        for (const std::string channel : {" -c 3", " -wl 8.1"})
+            EXPECT_EQ(run(folder_, "irview -K " + scale + channel + " -stats p.exr").err,
+                      "irview: -band and -response are for the whole range of a spectral picture (a channel "
+                      "has its own band: leave them out)\n");
+    }
+}
+
 TEST_F(IrviewSpectral, RefusesWavelengthsThatAreNotThere) {
     write_exr(folder_.path("rgb.exr"), {.width = 1, .height = 1, .channels = 3, .pixels = {1, 2, 3}}, {});
     EXPECT_EQ(run(folder_, "irview -stats -wl 3 p.exr").err,
-              "irview: the picture has no channel at 3 um (its range is 8-12 um)\n");
+              "irview: the picture has no channel at 3 um (-wl is in um; the picture's range is 8-12 um)\n");
     EXPECT_EQ(run(folder_, "irview -stats -wl 3 rgb.exr").err,
               "irview: the picture tells no wavelengths of its channels\n");
     EXPECT_EQ(run(folder_, "irview -stats -wl 9 -c 1 p.exr").err,

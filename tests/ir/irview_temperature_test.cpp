@@ -107,8 +107,24 @@ TEST_F(IrviewTemperature, SaysHowManyPixelsHaveNoTemperature) {
     write_exr(folder_.path("hole.exr"), picture, {.band = "8-12 um"});
     const Outcome outcome = run(folder_, "irview -K -o t.exr hole.exr");
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "irview: warning: 2 pixels have no temperature, the first is 3 2\n");
+    EXPECT_EQ(outcome.err, "irview: warning: hole.exr: 2 pixels have no temperature, the first is 3 2\n");
     EXPECT_TRUE(std::isnan(read_picture(folder_.path("t.exr")).at(3, 2)[0]));
+}
+
+TEST_F(IrviewTemperature, MeasuresThePixelsThatHaveATemperature) {
+    Picture picture = warm_picture(1);
+    picture.at(3, 2)[0] = 0;
+    picture.at(4, 2)[0] = -1;
+    write_exr(folder_.path("hole.exr"), picture, {.band = "8-12 um"});
+    const Outcome outcome = run(folder_, "irview -K -stats -region 3 2 6 3 mast hole.exr");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.out.find("mast\t0\t1\t28"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err,
+              "irview: warning: hole.exr: region mast: 2 of 3 pixels have no temperature and are left out\n");
+    const Outcome none = run(folder_, "irview -K -stats -region 3 2 5 3 mast hole.exr");
+    EXPECT_EQ(none.status, 1);
+    EXPECT_EQ(none.out, "");
+    EXPECT_EQ(none.err, "irview: hole.exr: region mast has no pixel with a value in channel 0\n");
 }
 
 TEST_F(IrviewTemperature, RefusesInOneLineAndWritesNothing) {

@@ -58,7 +58,7 @@ TEST(PlanckProgram, RefusesInOneLine) {
          "band 8000..12000 um is not within 0.2..1000 um (wavelengths are in micrometres)"},
         {"-b 8 nan 300", "command line error at '-b nan': expected a number"},
         {"-b 8 12 0", "temperature 0 K is not above absolute zero"},
-        {"-b 8 12 -C -274", "temperature -0.85 K is not above absolute zero"},
+        {"-b 8 12 -C -274", "temperature -274 degrees C is not above -273.15 degrees C"},
         {"-b 8 12 nan", "\"nan\" is not a number (values come after the options)"},
         {"-b 8 12 300 -i", "\"-i\" is not a number (values come after the options)"},
         {"-b 8 12 -i 0", "radiance 0 has no temperature (it must be a positive number)"},

@@ -56,11 +56,18 @@ TEST(RegionStatistics, RefusesRegionsThatAreEmptyOrOutside) {
               "region -1 0 2 2 is not within the picture (it has 4 x 3 pixels)");
 }
 
-TEST(RegionStatistics, NamesAPixelThatIsNoNumber) {
+TEST(RegionStatistics, LeavesPixelsWithoutAValueOut) {
     Picture picture = ramp(4, 3, 1);
-    picture.at(2, 1)[0] = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(error_of(picture, {0, 0, 4, 3, ""}), "pixel 2 1 is not a finite number in channel 0");
-    EXPECT_EQ(error_of(picture, {0, 2, 4, 3, ""}), "no error");
+    const Statistics rest = region_statistics(picture, {2, 1, 4, 2, ""})[0];
+    picture.at(1, 1)[0] = std::numeric_limits<float>::quiet_NaN();
+    const Statistics found = region_statistics(picture, {1, 1, 4, 2, ""})[0];
+    EXPECT_EQ(found.count, 2u);
+    EXPECT_EQ(found.missing, 1u);
+    EXPECT_EQ(found.mean, rest.mean);
+    EXPECT_EQ(found.deviation, rest.deviation);
+    EXPECT_EQ(found.minimum, rest.minimum);
+    EXPECT_EQ(found.maximum, rest.maximum);
+    EXPECT_EQ(error_of(picture, {1, 1, 2, 2, "mast"}), "region mast has no pixel with a value in channel 0");
 }
 
 }  // namespace

@@ -45,6 +45,46 @@ TEST_F(Surroundings, lost_output_is_an_error) {
         expect_failure(command, system_error, "cannot write");
 }
 
+TEST_F(Surroundings, lost_pictures_are_named) {
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    expect_failure("rpict -x 8 -y 8 -o /dev/full scene.oct", 2, "rpict: /dev/full: cannot write");
+}
+
+TEST_F(Surroundings, other_pictures_are_not_promised) {
+    for (const char* name : {"s.png", "s.PNG", "s.tiff"}) {
+        expect_failure(std::string("rpict -x 8 -y 8 -o ") + name + " scene.oct", 1,
+                       name + std::string(": rpict writes .hdr, .hsr and .exr (irview makes PNG of them)"));
+        EXPECT_FALSE(folder.has(name));
+    }
+}
+
+TEST_F(Surroundings, what_is_no_picture_is_called_so) {
+    folder.write("empty", "");
+    folder.write("junk.png", "\x01\x02\xff");
+    for (const std::string name : {"empty", "junk.png"})
+        expect_failure("irview -stats " + name, 1,
+                       name + ": cannot read picture: it is not a picture, or damaged");
+    expect_failure("irview -stats folder", 1, "irview: cannot open picture \"folder\": it is a folder");
+}
+
+TEST_F(Surroundings, getinfo_reads_openexr) {
+    ASSERT_EQ(test::run(folder,
+                        "rpict -x 8 -y 4 -pa 0 -o p.exr scene.oct && rpict -cs 3 -cw 8000 9500 -x 8 -y 8 -o "
+                        "s.exr scene.oct")
+                  .status,
+              0);
+    const Outcome colors = test::run(folder, "getinfo p.exr");
+    EXPECT_EQ(colors.status, 0) << colors.err;
+    EXPECT_TRUE(colors.out.starts_with("p.exr:\n\toconv scene.rad\n\trpict -x 8")) << colors.out;
+    for (const char* line :
+         {"\n\tquantity=radiance\n", "\n\tunit=W.m-2.sr-1\n", "\n\tchannels= B G R\n", "\n\tsoftware="})
+        EXPECT_NE(colors.out.find(line), std::string::npos) << line << colors.out;
+    EXPECT_NE(test::run(folder, "getinfo s.exr").out.find("S0.8250,000nm"), std::string::npos);
+    EXPECT_EQ(test::run(folder, "getinfo -d p.exr").out, "p.exr: -Y 4 +X 8\n");
+    folder.write("cut.exr", folder.read("p.exr").substr(0, 100));
+    expect_failure("getinfo cut.exr", 1, "getinfo: cut.exr: cannot read picture");
+}
+
 TEST_F(Surroundings, a_folder_is_no_file) {
     for (const char* command : {"oconv folder", "oconv -i folder", "xform folder", "rpict folder",
                                 "rtrace folder", "rcalc -f folder", "irview -stats folder"})

@@ -54,7 +54,16 @@ TEST(ValueConverter, GivesSharesNoUnit) {
 
 TEST(ValueConverter, ShowsTheInfraredInThirds) {
     const Channels channels = Channels::spectral(7, 8000, 12000);
-    EXPECT_EQ(numbers(Kind::rgb, channels, channels.from_rgb(1, 2, 3)), (std::vector<float>{1, 2, 3}));
+    const Channels nine = Channels::spectral(9, 8000, 12000);
+    const std::vector<float> thirds = numbers(Kind::rgb, nine, nine.from_rgb(1, 2, 3));
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(thirds[static_cast<std::size_t>(i)], i + 1, 1e-6);
+    // A channel on the border gives to both sides, so that the mean of the thirds is that of the channels.
+    Spectrum uneven(7);
+    uneven.set(2, 7);
+    const std::vector<float> shared = numbers(Kind::rgb, channels, uneven);
+    EXPECT_NEAR(shared[0], 1, 1e-6);
+    EXPECT_NEAR(shared[1], 2, 1e-6);
+    EXPECT_EQ(shared[2], 0);
     EXPECT_NE(color_warning({.kind = Kind::rgb}, channels), "");
     EXPECT_NE(color_warning({.kind = Kind::scotopic}, channels), "");
     EXPECT_EQ(color_warning({.kind = Kind::spectrum}, channels), "");

@@ -1,12 +1,11 @@
 #include "record_format.h"
 
 #include "common/error.h"
+#include "common/text.h"
 #include "common/text_file.h"
 
 namespace infra::rcalc {
 namespace {
-
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// Takes the field at the start of `rest` off it.
 Field next_field(std::string_view& rest) {

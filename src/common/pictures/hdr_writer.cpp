@@ -156,7 +156,11 @@ void write_hdr(std::FILE* file, const Picture& picture) {
 void write_hdr(const std::string& path, const Picture& picture) {
     if (!fits_hdr(picture)) throw Error(Location{path}, misfit, misfit_hint);
     AtomicFile file(path);
-    write_hdr(file.stream(), picture);
+    try {
+        write_hdr(file.stream(), picture);
+    } catch (const Error& error) {
+        throw Error(Location{path}, error.message(), error.hint(), error.severity());
+    }
     file.commit();
 }
 

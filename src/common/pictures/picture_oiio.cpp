@@ -13,7 +13,11 @@ namespace {
 
 Picture read_foreign(const std::string& path) {
     const auto input = OIIO::ImageInput::open(path);
-    if (!input) throw Error(Location{path}, "cannot read picture: " + OIIO::geterror());
+    if (!input) {
+        OIIO::geterror();  // names the plugins it tried, and would be printed at the end
+        throw Error(Location{path}, "cannot read picture: it is not a picture, or damaged",
+                    ".hdr, .exr, PNG, JPEG or TIFF");
+    }
     const OIIO::ImageSpec& spec = input->spec();
     Picture picture;
     picture.width = spec.width;

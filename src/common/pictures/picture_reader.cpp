@@ -1,4 +1,6 @@
 // Which reader a picture needs.
+#include <sys/stat.h>
+
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -26,6 +28,9 @@ Format format_of(std::FILE* file) {
 FilePointer open(const std::string& path) {
     FilePointer file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) throw Error("cannot open picture \"" + path + "\": " + std::strerror(errno));
+    struct stat status {};
+    if (fstat(fileno(file.get()), &status) == 0 && S_ISDIR(status.st_mode))
+        throw Error("cannot open picture \"" + path + "\": it is a folder");
     return file;
 }
 

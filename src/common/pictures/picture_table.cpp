@@ -68,7 +68,7 @@ DataTable read_color_table(const std::string& path) {
     return DataTable(std::move(axes), by_column(picture, 3));
 }
 
-DataTable read_spectral_table(const std::string& path) {
+DataTable read_spectrum_table(const std::string& path) {
     const Picture picture = read_checked(path);
     if (picture.space != ColorSpace::spectrum || picture.channels < 4)
         throw Error(Location{path}, "this is no spectral picture", "colorpict takes pictures of 3 colours");

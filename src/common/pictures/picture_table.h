@@ -16,6 +16,6 @@ DataTable read_color_table(const std::string& path);
 /// A spectral picture over u, v and wavelength [nm, falling as the file has it]: the middles of its bands, as
 /// its header's WAVELENGTH_SPLITS gives their range.
 ///   throws  Error as above, for wavelengths not given and for less than 4 channels
-DataTable read_spectral_table(const std::string& path);
+DataTable read_spectrum_table(const std::string& path);
 
 }  // namespace infra

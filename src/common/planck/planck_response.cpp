@@ -8,6 +8,7 @@
 #include "common/parse_number.h"
 #include "common/planck/planck_integral.h"
 #include "common/planck/planck_inverse.h"
+#include "common/text.h"
 #include "common/text_file.h"
 
 namespace infra {
@@ -37,14 +38,6 @@ void check_sample(const Sample& sample, const std::vector<Sample>& before, const
     if (sample.weight < 0) throw Error(place, formatted("weight %g is negative", sample.weight));
 }
 
-/// The next line of `text`, which loses it, without its comment.
-std::string_view take_line(std::string_view& text) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    return line.substr(0, line.find('#'));
-}
-
 /// One segment's part of the integrals at a temperature.
 PlanckIntegral segment_integral(const Sample& first, const Sample& last, double temperature) {
     const double scale = constants::second_radiation_um / temperature;
@@ -71,12 +64,14 @@ SpectralResponse SpectralResponse::parse(std::string_view text, const std::strin
     Location place{name, 0};
     while (!text.empty()) {
         ++place.line;
-        const std::vector<std::string> words = split_words(take_line(text));
+        const std::string_view line = take_line(text);
+        const std::vector<std::string> words = split_words(line.substr(0, line.find('#')));
         if (words.empty()) continue;
         const Sample sample = parse_sample(words, place);
         check_sample(sample, samples, place);
         samples.push_back(sample);
     }
+    place.line = std::max(place.line, 1);
     if (samples.size() < 2)
         throw Error(place, formatted("a response needs at least 2 samples, found %zu", samples.size()),
                     "a line is a wavelength in um and a weight");

@@ -5,6 +5,7 @@
 #include "common/error.h"
 #include "common/format.h"
 #include "common/parse_number.h"
+#include "common/text.h"
 #include "common/text_file.h"
 #include "common/views/view.h"
 
@@ -91,10 +92,8 @@ void read_view_file(const std::string& path, View& view) {
     std::string_view rest = text;
     int found = 0;
     while (!rest.empty() && rest[0] != '\n') {  // an empty line ends a picture's header
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
-        const std::string_view line = rest.substr(0, end);
+        const std::string_view line = take_line(rest);
         if (is_view_line(line)) found += parse_view(line, view);
-        rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     if (found == 0)
         throw Error(Location{path}, "bad view file", "it has no line such as \"VIEW= -vp 0 0 0 -vd 0 1 0\"");

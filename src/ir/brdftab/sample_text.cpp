@@ -7,6 +7,7 @@
 #include "common/error.h"
 #include "common/format.h"
 #include "common/parse_number.h"
+#include "common/text.h"
 
 namespace infra::ir {
 namespace {
@@ -21,9 +22,8 @@ void SampleText::fail(std::string_view message, std::string_view hint) const {
 
 bool SampleText::next_line() {
     while (!rest_.empty()) {
-        const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-        std::string line(rest_.substr(0, std::min(end, rest_.find('#'))));
-        rest_.remove_prefix(std::min(end + 1, rest_.size()));
+        const std::string_view whole = take_line(rest_);
+        std::string line(whole.substr(0, whole.find('#')));
         ++line_;
         std::replace(line.begin(), line.end(), ',', ' ');
         words_ = split_words(line);

@@ -12,6 +12,19 @@ Dome Dome::with_azimuth() const {
     return dome;
 }
 
+bool Dome::join_pole() {
+    double sum = 0;
+    bool differ = false;
+    for (std::size_t column = 0; has_azimuth() && column + 1 < columns; ++column) {
+        sum += values[rows * column];
+        differ = differ || values[rows * column] != values[0];
+    }
+    if (!differ) return false;
+    for (std::size_t column = 0; column < columns; ++column)
+        values[rows * column] = sum / (static_cast<double>(columns) - 1);
+    return true;
+}
+
 double at_angle(std::span<const AngleSample> samples, double angle_deg) {
     const auto after = std::ranges::upper_bound(samples, angle_deg, {}, &AngleSample::angle_deg);
     if (after == samples.begin()) return samples.front().value;

@@ -20,6 +20,10 @@ struct Dome {
     static double azimuth_deg(std::size_t column) { return 18.0 * static_cast<double>(column); }
     /// The same with 210 values.
     Dome with_azimuth() const;
+
+    /// Makes the pole one direction, as it is: where its values differ by azimuth they become their mean.
+    /// returns whether they did
+    bool join_pole();
 };
 
 /// A value at an angle from the pole, degrees.

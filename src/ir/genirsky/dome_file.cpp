@@ -54,10 +54,25 @@ double ValueReader::radiance(const PlacedNumber& number, const NumberText& text)
             throw Error(text.place(number), formatted("negative radiance %g", number.value));
         return number.value;
     }
-    const double kelvin = number.value + (unit_ == ValueUnit::celsius ? ice_point : 0);
+    const bool celsius = unit_ == ValueUnit::celsius;
+    const double kelvin = number.value + (celsius ? ice_point : 0);
+    const std::string as_written = formatted("temperature %g %s", number.value, celsius ? "degrees C" : "K");
     if (!(kelvin > 0))
-        throw Error(text.place(number), formatted("temperature %g K is not above 0 K", kelvin));
+        throw Error(text.place(number),
+                    as_written + (celsius ? " is not above -273.15 degrees C" : " is not above 0 K"));
+    if (const std::string odd = oddity(kelvin); odd_ && !odd.empty()) {
+        const bool cold = kelvin < ice_point;
+        const std::string_view slip =
+            celsius ? (cold ? "" : "kelvin, -K?") : (cold ? "degrees Celsius, -C?" : "");
+        odd_->push_back(Error(text.place(number), as_written + " is " + odd, slip).what());
+    }
     return passband_->scale().at(kelvin).radiance;
+}
+
+std::string oddity(double kelvin) {
+    constexpr double coldest = 100, hottest = 400;
+    if (kelvin < coldest) return formatted("below %g K", coldest);
+    return kelvin > hottest ? formatted("above %g K", hottest) : "";
 }
 
 Dome parse_elevations(const NumberText& text, const ValueReader& reader, bool from_horizon) {

@@ -17,15 +17,21 @@ enum class ValueUnit {
 /// Turns a file's numbers into radiances.
 class ValueReader {
   public:
-    /// `passband` may be null for radiances.
-    ValueReader(ValueUnit unit, const Passband* passband) : unit_(unit), passband_(passband) {}
+    /// `passband` may be null for radiances. Temperatures that no sky or sea has are added to `odd`, a line
+    /// of warning each, where it is given.
+    ValueReader(ValueUnit unit, const Passband* passband, std::vector<std::string>* odd = nullptr)
+        : unit_(unit), passband_(passband), odd_(odd) {}
     /// throws Error with the place for a temperature not above 0 K and a negative radiance
     double radiance(const PlacedNumber& number, const NumberText& text) const;
 
   private:
     ValueUnit unit_;
     const Passband* passband_;
+    std::vector<std::string>* odd_;
 };
+
+/// What is odd about a temperature of a sky, a sea or air, in kelvin: "below 100 K", "above 400 K" or "".
+std::string oddity(double kelvin);
 
 /// Ten values for angles 0, 10 .. 90 deg from the pole, or lines of an angle and a value.
 ///   from_horizon  the ten begin at the horizon

@@ -1,4 +1,6 @@
 // Options of skies and seas.
+#include <cmath>
+
 #include "ir/genirsky/option_values.h"
 #include "ir/genirsky/options.h"
 
@@ -60,7 +62,12 @@ void add_dome_options(OptionTable& table, Request& request) {
     add_uvspec_options(table, request);
     table
         .custom(
-            "-umu", "s", [&request](const OptionValues& given) { request.uvspec.umu = number_list(given); },
+            "-umu", "s",
+            [&request](const OptionValues& given) {
+                request.uvspec.umu = number_list(given);
+                for (const double umu : request.uvspec.umu)
+                    if (umu == 0 || std::abs(umu) > 1) given.reject("umu must be within -1..1 and not 0");
+            },
             "umu of uvspec's input, with -columns")
         .named("-1,-.5,-.1");
     table

@@ -17,13 +17,15 @@ namespace {
 int run(int argc, char** argv) {
     const auto request = read_request(argc, argv);
     if (!request) return 0;
-    const std::string text = product_text(*request);  // whole before a byte of it is written
+    const Product product = make_product(*request);  // whole before a byte of it is written
+    for (const std::string& warning : product.warnings)
+        std::fprintf(stderr, "genirsky: warning: %s\n", message_line(warning).c_str());
     if (request->output.empty()) {
-        std::fputs(text.c_str(), stdout);
+        std::fputs(product.text.c_str(), stdout);
         return 0;
     }
     AtomicFile file(request->output);
-    std::fwrite(text.data(), 1, text.size(), file.stream());
+    std::fwrite(product.text.data(), 1, product.text.size(), file.stream());
     file.commit();
     return 0;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/parse_number.h"
+#include "common/text.h"
 #include "common/text_file.h"
 
 namespace infra::ir {
@@ -37,9 +38,7 @@ std::vector<PlacedNumber> NumberText::all() const {
 NumberText parse_numbers(std::string_view text, const std::string& name) {
     NumberText result{name, {}, 1};
     for (int number = 1; !text.empty(); ++number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::string_view line = take_line(text);
         result.last_line = number;
         NumberLine numbers = parse_line(line.substr(0, line.find('#')), name, number);
         if (!numbers.empty()) result.lines.push_back(std::move(numbers));

@@ -11,6 +11,8 @@
 namespace infra::ir {
 namespace {
 
+using Warnings = std::vector<std::string>;
+
 /// The radiance itself. throws Error where it is far beyond what single precision and good sense hold
 double renderable(double radiance) {
     constexpr double largest = 1e30;
@@ -61,16 +63,16 @@ std::string head(const Request& request, const std::string& quantity) {
 }
 
 Dome plane_dome(const Request& request, const NumberText& text, const ValueReader& reader) {
-    // the points' second coordinate is the scene's y, or z where y is up: azimuth runs to -y or to +z
-    Dome dome = project_sea(parse_sea_points(text, reader), request.sensor, request.frame.y_up ? 1 : -1);
+    Dome dome = project_sea(parse_sea_points(text, reader), request.sensor, request.frame);
     if (!request.horizon) return dome;
     const double value = reader.radiance({*request.horizon, 0, 0}, NumberText{"-horizon", {}, 0});
     for (std::size_t i = Dome::rows - 1; i < dome.values.size(); i += Dome::rows) dome.values[i] = value;
     return dome;
 }
 
-Dome value_dome(const Request& request, const NumberText& text, const Passband* passband) {
-    const ValueReader reader(*request.value_unit, passband);
+Dome value_dome(const Request& request, const NumberText& text, const Passband* passband,
+                std::vector<std::string>* odd) {
+    const ValueReader reader(*request.value_unit, passband, odd);
     switch (request.source) {
         case Source::elevations:
             return parse_elevations(text, reader, request.from_horizon);
@@ -83,8 +85,33 @@ Dome value_dome(const Request& request, const NumberText& text, const Passband* 
     }
 }
 
+/// A dome of a file of values for each passband; one in all where no band is stated.
+std::vector<Dome> value_domes(const Request& request, Warnings& warnings) {
+    const NumberText text = read_numbers(request.files[0]);
+    std::vector<Dome> domes;
+    Warnings odd;  // the same in all bands
+    for (const Passband& passband : request.passbands)
+        domes.push_back(value_dome(request, text, &passband, domes.empty() ? &odd : nullptr));
+    if (domes.empty()) domes.push_back(value_dome(request, text, nullptr, nullptr));
+    if (odd.size() == 1) warnings.push_back(odd[0]);
+    if (odd.size() > 1)
+        warnings.push_back(odd[0] + formatted(", and %zu more such %s", odd.size() - 1,
+                                              odd.size() == 2 ? "value" : "values"));
+    return domes;
+}
+
+/// The pole is one direction, which a table's rows need not know.
+void join_poles(std::vector<Dome>& domes, const Request& request, Warnings& warnings) {
+    bool differed = false;
+    for (Dome& dome : domes) differed = dome.join_pole() || differed;
+    if (differed && request.source == Source::table)
+        warnings.push_back(shown_name(request.files[0]) + ": the " +
+                           (request.subject == Subject::sky ? "zenith" : "nadir") +
+                           " has different values by azimuth: their mean is taken");
+}
+
 /// One for each passband; one in all where no band is stated.
-std::vector<Dome> make_domes(const Request& request) {
+std::vector<Dome> make_domes(const Request& request, Warnings& warnings) {
     std::vector<Dome> domes;
     if (request.source == Source::tape7) {
         const std::vector<Tape7Run> runs = read_runs(request.files);
@@ -98,18 +125,16 @@ std::vector<Dome> make_domes(const Request& request) {
         for (const Passband& passband : request.passbands)
             domes.push_back(dome_of_uvspec(radiances, request.subject == Subject::sky, passband));
     } else {
-        const NumberText text = read_numbers(request.files[0]);
-        for (const Passband& passband : request.passbands)
-            domes.push_back(value_dome(request, text, &passband));
-        if (domes.empty()) domes.push_back(value_dome(request, text, nullptr));
+        domes = value_domes(request, warnings);
     }
+    join_poles(domes, request, warnings);
     for (Dome& dome : domes)
         for (double& value : dome.values) value = renderable(value * request.channel_factor());
     return domes;
 }
 
-std::string dome_product(const Request& request) {
-    const std::vector<Dome> domes = make_domes(request);
+std::string dome_product(const Request& request, Warnings& warnings) {
+    const std::vector<Dome> domes = make_domes(request, warnings);
     const bool sky = request.subject == Subject::sky;
     std::string order = sky ? "by zenith angle" : "by nadir angle";
     order += " 0, 10 .. 90 deg";
@@ -141,7 +166,11 @@ std::string sun_product(Request request) {
            "\n" + sun_text(request, radiances);
 }
 
-std::string air_product(const Request& request) {
+std::string air_product(const Request& request, Warnings& warnings) {
+    if (request.source == Source::homogeneous)
+        if (const std::string odd = oddity(request.air_temperature); !odd.empty())
+            warnings.push_back(formatted("-homogeneous: temperature %g K is %s (degrees Celsius?)",
+                                         request.air_temperature, odd.c_str()));
     std::vector<Passband> passbands = request.passbands;
     // channels begin with the longest wavelengths, files of air with the shortest
     std::ranges::reverse(passbands);
@@ -170,15 +199,19 @@ std::string air_product(const Request& request) {
 
 }  // namespace
 
-std::string product_text(const Request& request) {
+Product make_product(const Request& request) {
+    Product product;
     switch (request.subject) {
         case Subject::sun:
-            return sun_product(request);
+            product.text = sun_product(request);
+            break;
         case Subject::air:
-            return air_product(request);
+            product.text = air_product(request, product.warnings);
+            break;
         default:
-            return dome_product(request);
+            product.text = dome_product(request, product.warnings);
     }
+    return product;
 }
 
 }  // namespace infra::ir

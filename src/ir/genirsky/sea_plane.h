@@ -5,16 +5,19 @@
 
 #include "ir/genirsky/dome.h"
 #include "ir/genirsky/dome_file.h"
+#include "ir/genirsky/frame.h"
 
 namespace infra::ir {
 
-/// A point of the sea: coordinates of the scene, metres, and the radiance that it sends to the sensor.
+/// A point of the sea: the scene's x and y, or x and z where y is up, metres, and the radiance that it sends
+/// to the sensor.
 struct SeaPoint {
     double x = 0, y = 0;
     double radiance = 0;  ///< W m^-2 sr^-1
 };
 
-/// Lines of x, y and a value. throws Error as ValueReader, and for lines of another form.
+/// Lines of x, y and a value; a line that repeats another is left out. throws Error as ValueReader, for lines
+/// of another form and for two values at one place.
 std::vector<SeaPoint> parse_sea_points(const NumberText& text, const ValueReader& reader);
 
 struct Sensor {
@@ -27,7 +30,7 @@ struct Sensor {
 /// the grid, and for scattered points everywhere, it is that of the point whose direction, seen from the
 /// sensor, is nearest. The row at 90 deg stands for the visible horizon, sqrt(2 R height) away on an earth of
 /// radius R.
-///   handedness  +1: azimuth runs from +x to +y of the points, -1: from +x to -y
-Dome project_sea(const std::vector<SeaPoint>& points, const Sensor& sensor, double handedness);
+///   frame  in which the nodes' azimuths stand among the points
+Dome project_sea(const std::vector<SeaPoint>& points, const Sensor& sensor, const Frame& frame);
 
 }  // namespace infra::ir

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "ir/genirsky/spectral_axis.h"
+
 namespace infra::ir {
 
 class SpectralUnit {
@@ -13,18 +15,20 @@ class SpectralUnit {
     /// "W/m2/sr/nm, mW/m2/sr/nm, .."
     static std::string choices();
 
-    /// A radiance in this unit as W m^-2 sr^-1/cm^-1; wavenumber in cm^-1.
-    double per_wavenumber(double radiance, double wavenumber) const;
+    /// What the unit is per.
+    SpectralAxis density() const { return density_; }
+    /// A radiance in this unit as W m^-2 sr^-1/cm^-1 or W m^-2 sr^-1/um, as density() says.
+    double watts(double radiance) const { return factor_ * radiance; }
 
     std::string_view name() const { return name_; }
 
   private:
-    SpectralUnit(std::string_view name, double factor, double per_um)
-        : name_(name), factor_(factor), per_um_(per_um) {}
+    SpectralUnit(std::string_view name, double factor, SpectralAxis density)
+        : name_(name), factor_(factor), density_(density) {}
 
     std::string_view name_;
-    double factor_;  ///< to W m^-2 sr^-1, by wavelength or by wavenumber
-    double per_um_;  ///< lengths of the unit in a micrometre; 0: by wavenumber
+    double factor_;
+    SpectralAxis density_;
 };
 
 }  // namespace infra::ir

@@ -38,8 +38,9 @@ void add_sun_options(OptionTable& table, Request& request) {
         .custom(
             "-half-angle", "f",
             [&sun](const OptionValues& given) {
-                if (!(given.real(0) > 0 && given.real(0) <= 90))
-                    given.reject("the half-angle must be above 0 and at most 90 deg");
+                constexpr double least = 1e-4;  // renderers take less for no disk at all
+                if (!(given.real(0) >= least && given.real(0) <= 90))
+                    given.reject(formatted("the half-angle must be within %g..90 deg", least));
                 sun.half_angle_deg = given.real(0);
             },
             "half the angle that the disk spans, degrees")

@@ -6,6 +6,7 @@
 #include "common/error.h"
 #include "common/format.h"
 #include "common/parse_number.h"
+#include "common/text.h"
 #include "common/text_file.h"
 #include "ir/genirsky/placed_numbers.h"
 #include "ir/genirsky/tape7_columns.h"
@@ -18,11 +19,9 @@ constexpr double per_m2 = 1e4;  // from per cm^2
 std::vector<std::string_view> split_lines(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
+        std::string_view line = take_line(text);
         if (line.ends_with('\r')) line.remove_suffix(1);
         lines.push_back(line);
-        text.remove_prefix(std::min(end + 1, text.size()));
     }
     return lines;
 }
@@ -33,7 +32,7 @@ bool is_end(std::string_view line) {
     return !words.empty() && parse_real(words[0], value) && value == -9999;
 }
 
-bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
+bool has_nothing(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
 
 class Tape7Parser {
   public:
@@ -59,6 +58,7 @@ class Tape7Parser {
         while (end < lines_.size() && !is_end(lines_[end])) ++end;
         if (headings < lines_.size() && headings < end) {
             next_ = headings;
+            refuse_tabs();
             columns_.emplace(lines_[headings], here());
             ++next_;
             // in mode 0 the headings have a second line, "CM-1 TRANS"
@@ -79,23 +79,23 @@ class Tape7Parser {
         run.line = columns_->line();
         run.has_radiance = columns_->has_radiance();
         for (SampledSpectrum* spectrum : {&run.transmittance, &run.path_radiance, &run.total_radiance})
-            spectrum->file = name_;
+            *spectrum = {.file = name_, .place = {}, .value = {}, .line = here().line};
         for (;; ++next_) {
             if (next_ == lines_.size())
                 throw Error(Location{name_, static_cast<int>(lines_.size())}, "the run has no end",
                             "a line -9999. ends every run: is the file cut off?");
             if (is_end(lines_[next_])) break;
-            if (!is_blank(lines_[next_])) read_row(run);
+            if (!has_nothing(lines_[next_])) read_row(run);
         }
-        if (run.transmittance.wavenumber.size() < 2)
-            throw Error(here(), "a run needs at least 2 lines of data");
+        if (run.transmittance.place.size() < 2) throw Error(here(), "a run needs at least 2 lines of data");
         ++next_;
         return run;
     }
 
     void read_row(Tape7Run& run) {
+        refuse_tabs();
         const double frequency = needed(columns_->frequency());
-        std::vector<double>& before = run.transmittance.wavenumber;
+        std::vector<double>& before = run.transmittance.place;
         if (!(frequency > 0) || (!before.empty() && frequency <= before.back()))
             throw Error(here(), formatted("frequency %g cm-1 does not come after %g cm-1", frequency,
                                           before.empty() ? 0 : before.back()));
@@ -108,8 +108,16 @@ class Tape7Parser {
         add(run.total_radiance, frequency, radiance("TOTAL_RAD"));
     }
 
+    /// A field's place tells its column, and tabs have no width.
+    void refuse_tabs() const {
+        const std::size_t tab = lines_[next_].find('\t');
+        if (tab != std::string_view::npos)
+            throw Error(Location{name_, here().line, static_cast<int>(tab) + 1},
+                        "a tab: columns must be of fixed width", "blanks, no tabs, as MODTRAN writes them");
+    }
+
     static void add(SampledSpectrum& spectrum, double frequency, double value) {
-        spectrum.wavenumber.push_back(frequency);
+        spectrum.place.push_back(frequency);
         spectrum.value.push_back(value);
     }
 

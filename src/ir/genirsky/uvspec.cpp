@@ -1,14 +1,14 @@
 #include "ir/genirsky/uvspec.h"
 
 #include <algorithm>
+#include <span>
 
 #include "common/format.h"
+#include "ir/genirsky/uvspec_azimuths.h"
 #include "ir/genirsky/uvspec_columns.h"
 
 namespace infra::ir {
 namespace {
-
-constexpr double nm_cm = 1e7;  // wavelength in nm times wavenumber in cm^-1
 
 /// The unit, or the error that asks for it.
 const SpectralUnit& required_unit(const UvspecLayout& layout) {
@@ -17,26 +17,34 @@ const SpectralUnit& required_unit(const UvspecLayout& layout) {
     return *layout.unit;
 }
 
-double radiance(const PlacedNumber& number, double wavenumber, const NumberText& text,
-                const SpectralUnit& unit) {
+double radiance(const PlacedNumber& number, const NumberText& text, const SpectralUnit& unit) {
     if (number.value < 0) throw Error(text.place(number), formatted("negative radiance %g", number.value));
-    return unit.per_wavenumber(number.value, wavenumber);
+    return unit.watts(number.value);
 }
 
-void append(SampledSpectrum& spectrum, double wavenumber, double value) {
-    spectrum.wavenumber.push_back(wavenumber);
+SampledSpectrum empty_spectrum(const NumberText& text, SpectralAxis axis, const SpectralUnit& unit) {
+    return {.file = text.name,
+            .place = {},
+            .value = {},
+            .line = text.lines[0][0].line,
+            .axis = axis,
+            .density = unit.density()};
+}
+
+void append(SampledSpectrum& spectrum, double place, double value) {
+    spectrum.place.push_back(place);
     spectrum.value.push_back(value);
 }
 
 /// Checks that the lines go one way along the spectrum.
 class Order {
   public:
-    void next(double wavenumber, const Location& where) {
-        if (count_ > 1 ? (wavenumber - last_) * step_ <= 0 : count_ == 1 && wavenumber == last_)
+    void next(double place, const Location& where) {
+        if (count_ > 1 ? (place - last_) * step_ <= 0 : count_ == 1 && place == last_)
             throw Error(where, "the spectrum is out of order",
                         "one output level (zout) and one time a file, wavelengths in order");
-        step_ = wavenumber - last_;
-        last_ = wavenumber;
+        step_ = place - last_;
+        last_ = place;
         ++count_;
     }
     int count() const { return count_; }
@@ -47,11 +55,11 @@ class Order {
     int count_ = 0;
 };
 
-/// Turns spectra that were read by rising wavelength, and refuses those too short.
+/// Turns spectra that were read by falling place, and refuses those too short.
 void finish(SampledSpectrum& spectrum, const Order& order, const NumberText& text) {
     if (order.count() < 2) throw Error(text.end(), "a spectrum needs at least 2 wavelengths");
     if (!order.descends()) return;
-    std::ranges::reverse(spectrum.wavenumber);
+    std::ranges::reverse(spectrum.place);
     std::ranges::reverse(spectrum.value);
 }
 
@@ -83,13 +91,13 @@ class Blocks {
 
     void read_block() {
         if (line()[0].value <= 1) fail("expected a line that begins with a wavelength in nm");
-        const double wavenumber = nm_cm / line()[0].value;
-        order_.next(wavenumber, text_.place(line()[0]));
+        const double um = line()[0].value / nm_per_um;
+        order_.next(um, text_.place(line()[0]));
         ++next_;
         read_phi();
         const bool first = directions_.empty();
         std::size_t known = 0;
-        while (next_ < text_.lines.size() && is_cosine(line()[0])) read_direction(wavenumber, first, known);
+        while (next_ < text_.lines.size() && is_cosine(line()[0])) read_direction(um, first, known);
         if (directions_.empty()) line(), fail("expected a line that begins with umu");
         if (known != directions_.size())
             throw Error(block_end(), "the block has not the directions of the first");
@@ -103,33 +111,37 @@ class Blocks {
         if (next_ + 1 >= text_.lines.size() || text_.lines[next_ + 1].size() != azimuths.size() + 2 ||
             !is_cosine(text_.lines[next_ + 1][0]))
             return;
-        phi_.clear();
-        for (const PlacedNumber& number : azimuths) phi_.emplace_back(number.value);
+        std::vector<double> phi;
+        for (const PlacedNumber& number : azimuths) phi.push_back(number.value);
+        azimuths_ = UvspecAzimuths(phi);
         ++next_;
     }
 
-    void read_direction(double wavenumber, bool first, std::size_t& known) {
+    void read_direction(double um, bool first, std::size_t& known) {
         const NumberLine& numbers = line();
-        if (numbers.size() != phi_.size() + 2)
-            throw Error(text_.place(numbers[0]), formatted("found %zu numbers where umu, u0u and uu make %zu",
-                                                           numbers.size(), phi_.size() + 2));
         // without azimuths the mean over them, u0u, is the radiance
-        for (std::size_t i = phi_.empty() ? 1 : 2; i < numbers.size(); ++i, ++known) {
-            if (first) {
-                const auto phi = phi_.empty() ? std::nullopt : std::optional(phi_[i - 2]);
-                directions_.push_back({numbers[0].value, phi, {text_.name, {}, {}}});
-            }
-            if (known == directions_.size() || directions_[known].umu != numbers[0].value)
+        const std::size_t before = has_azimuths() ? 2 : 1;
+        if (numbers.size() != before + azimuths_.columns())
+            throw Error(text_.place(numbers[0]), formatted("found %zu numbers where umu, u0u and uu make %zu",
+                                                           numbers.size(), before + azimuths_.columns()));
+        const double umu = numbers[0].value;
+        const std::vector<PlacedNumber> found = azimuths_.distinct(std::span(numbers).subspan(before), text_);
+        for (std::size_t i = 0; i < found.size(); ++i, ++known) {
+            const std::optional<double>& phi = azimuths_.directions()[i];
+            if (first)
+                directions_.push_back({umu, phi, empty_spectrum(text_, SpectralAxis::wavelength, unit_)});
+            if (known == directions_.size() || directions_[known].umu != umu || directions_[known].phi != phi)
                 throw Error(text_.place(numbers[0]), "the block has not the directions of the first");
-            append(directions_[known].radiance, wavenumber, radiance(numbers[i], wavenumber, text_, unit_));
+            append(directions_[known].radiance, um, radiance(found[i], text_, unit_));
         }
         ++next_;
     }
+    bool has_azimuths() const { return azimuths_.directions()[0].has_value(); }
 
     const NumberText& text_;
     const SpectralUnit& unit_;
     std::size_t next_ = 0;
-    std::vector<double> phi_;
+    UvspecAzimuths azimuths_;
     std::vector<UvspecRadiance> directions_;
     Order order_;
 };
@@ -137,19 +149,20 @@ class Blocks {
 std::vector<UvspecRadiance> parse_lines(const NumberText& text, const UvspecLayout& layout) {
     const UvspecColumns columns(layout);
     if (!columns.has("uu")) throw Error("-columns names no radiances", "-columns lambda,uu");
+    const UvspecAzimuths azimuths(layout.phi);
     std::vector<UvspecRadiance> directions;
-    for (const double umu : layout.umu) {
-        if (layout.phi.empty()) directions.push_back({umu, std::nullopt, {text.name, {}, {}}});
-        for (const double phi : layout.phi) directions.push_back({umu, phi, {text.name, {}, {}}});
-    }
+    for (const double umu : layout.umu)
+        for (const std::optional<double>& phi : azimuths.directions())
+            directions.push_back({umu, phi, empty_spectrum(text, columns.axis(), *layout.unit)});
     Order order;
     for (const NumberLine& line : text.lines) {
         columns.check(line, text);
-        const double wavenumber = columns.wavenumber(line, text);
-        order.next(wavenumber, text.place(line[0]));
+        const double place = columns.place(line, text);
+        order.next(place, text.place(line[0]));
         const PlacedNumber* uu = &columns.first(line, "uu");
-        for (UvspecRadiance& direction : directions)
-            append(direction.radiance, wavenumber, radiance(*uu++, wavenumber, text, *layout.unit));
+        for (auto direction = directions.begin(); direction != directions.end(); uu += azimuths.columns())
+            for (const PlacedNumber& number : azimuths.distinct({uu, azimuths.columns()}, text))
+                append((direction++)->radiance, place, radiance(number, text, *layout.unit));
     }
     for (UvspecRadiance& direction : directions) finish(direction.radiance, order, text);
     return directions;
@@ -168,19 +181,19 @@ PathSpectra parse_path_columns(const NumberText& text, const UvspecLayout& layou
         throw Error("-columns names no transmittance and radiance of a path",
                     "-columns lambda,transmittance,radiance");
     const SpectralUnit& unit = required_unit(layout);
-    PathSpectra spectra{{text.name, {}, {}}, {text.name, {}, {}}};
+    const SampledSpectrum none = empty_spectrum(text, columns.axis(), unit);
+    PathSpectra spectra{none, none};
     Order order;
     for (const NumberLine& line : text.lines) {
         columns.check(line, text);
-        const double wavenumber = columns.wavenumber(line, text);
-        order.next(wavenumber, text.place(line[0]));
+        const double place = columns.place(line, text);
+        order.next(place, text.place(line[0]));
         const PlacedNumber& transmittance = columns.first(line, "transmittance");
         if (!(transmittance.value >= 0 && transmittance.value <= 1))
             throw Error(text.place(transmittance),
                         formatted("transmittance %g is not within 0..1", transmittance.value));
-        append(spectra.transmittance, wavenumber, transmittance.value);
-        append(spectra.radiance, wavenumber,
-               radiance(columns.first(line, "radiance"), wavenumber, text, unit));
+        append(spectra.transmittance, place, transmittance.value);
+        append(spectra.radiance, place, radiance(columns.first(line, "radiance"), text, unit));
     }
     finish(spectra.transmittance, order, text);
     finish(spectra.radiance, order, text);

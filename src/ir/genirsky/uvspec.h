@@ -33,21 +33,20 @@ struct UvspecLayout {
 /// A spectrum in one direction.
 struct UvspecRadiance {
     double umu = 0;             ///< cosine of the direction of flight's polar angle; below 0: downwelling
-    std::optional<double> phi;  ///< its azimuth, degrees; nothing: mean over azimuth
-    SampledSpectrum radiance;   ///< W m^-2 sr^-1/cm^-1
+    std::optional<double> phi;  ///< where the sensor looks, degrees clockwise from the south; nothing: mean
+    SampledSpectrum radiance;
 };
 
 /// All radiances of a file, umu by umu.
-///   throws  Error with line and column for lines of a wrong form, numbers that are none, wavelengths that
-///   don't
-///           increase (several output levels among them), negative radiances and a last block cut off; for a
-///           missing unit with the choices
+///   throws  Error with line and column for lines of a wrong form, numbers that are none, wavelengths out of
+///           order (several output levels among them), negative radiances, a closing azimuth that differs and
+///           a last block cut off; for a missing unit with the choices
 std::vector<UvspecRadiance> parse_uvspec(const NumberText& text, const UvspecLayout& layout);
 
 /// A path's spectra, from columns "transmittance" and "radiance".
 struct PathSpectra {
     SampledSpectrum transmittance;  ///< 0..1
-    SampledSpectrum radiance;       ///< W m^-2 sr^-1/cm^-1
+    SampledSpectrum radiance;
 };
 /// throws Error as parse_uvspec(), and for columns without these two
 PathSpectra parse_path_columns(const NumberText& text, const UvspecLayout& layout);

@@ -5,12 +5,6 @@
 #include "common/format.h"
 
 namespace infra::ir {
-namespace {
-
-constexpr double nm_cm = 1e7;  // wavelength in nm times wavenumber in cm^-1
-
-}  // namespace
-
 UvspecColumns::UvspecColumns(const UvspecLayout& layout)
     : names_(layout.columns), directions_(layout.umu.size() * std::max<std::size_t>(1, layout.phi.size())) {
     const auto count = std::ranges::count_if(
@@ -42,13 +36,17 @@ void UvspecColumns::check(const NumberLine& line, const NumberText& text) const 
                     formatted("found %zu numbers where -columns makes %zu", line.size(), count));
 }
 
-double UvspecColumns::wavenumber(const NumberLine& line, const NumberText& text) const {
-    const bool by_wavelength = has("lambda");
+SpectralAxis UvspecColumns::axis() const {
+    return has("lambda") ? SpectralAxis::wavelength : SpectralAxis::wavenumber;
+}
+
+double UvspecColumns::place(const NumberLine& line, const NumberText& text) const {
+    const bool by_wavelength = axis() == SpectralAxis::wavelength;
     const PlacedNumber& number = first(line, by_wavelength ? "lambda" : "wavenumber");
     if (!(number.value > 0))
         throw Error(text.place(number),
                     by_wavelength ? "a wavelength must be above 0 nm" : "a wavenumber must be above 0 cm-1");
-    return by_wavelength ? nm_cm / number.value : number.value;
+    return by_wavelength ? number.value / nm_per_um : number.value;
 }
 
 const PlacedNumber& UvspecColumns::first(const NumberLine& line, std::string_view name) const {

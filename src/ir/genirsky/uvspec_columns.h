@@ -13,18 +13,17 @@ class UvspecColumns {
     bool has(std::string_view name) const;
     /// Throws Error unless the line has a number for every column.
     void check(const NumberLine& line, const NumberText& text) const;
-    /// cm^-1. throws Error unless it is above 0
-    double wavenumber(const NumberLine& line, const NumberText& text) const;
+    SpectralAxis axis() const;
+    /// Of the line along axis(), cm^-1 or um. throws Error unless it is above 0
+    double place(const NumberLine& line, const NumberText& text) const;
     /// The first number of a column.
     const PlacedNumber& first(const NumberLine& line, std::string_view name) const;
-    /// Numbers that uu stands for.
-    std::size_t directions() const { return directions_; }
 
   private:
     std::size_t index(std::string_view name) const;
 
     std::vector<std::string> names_;
-    std::size_t directions_;
+    std::size_t directions_;  ///< numbers that uu stands for
 };
 
 }  // namespace infra::ir

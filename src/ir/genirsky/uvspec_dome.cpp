@@ -31,7 +31,8 @@ AzimuthSamples collect(const std::vector<UvspecRadiance>& radiances, bool sky, c
         std::ranges::sort(column, {}, &AngleSample::angle_deg);
         const auto twice = std::ranges::adjacent_find(column, {}, &AngleSample::angle_deg);
         if (twice != column.end())
-            throw Error(formatted("two radiances %g deg from the pole at phi %g", twice->angle_deg, phi));
+            throw Error(Location{radiances.back().radiance.file},
+                        formatted("two radiances %g deg from the pole at phi %g", twice->angle_deg, phi));
     }
     return samples;
 }
@@ -59,7 +60,7 @@ Dome dome_of_uvspec(const std::vector<UvspecRadiance>& radiances, bool sky, cons
     if (samples.size() == 1) return {at_rows(samples.begin()->second)};
     Dome dome;
     for (std::size_t column = 0; column < Dome::columns; ++column) {
-        // phi is where radiation goes: it is seen looking the other way
+        // phi is where the sensor looks, clockwise from the south; columns count from the north
         const double phi = std::fmod(Dome::azimuth_deg(column) + 180, 360);
         const std::vector<double> rows = rows_at(samples, phi);
         dome.values.insert(dome.values.end(), rows.begin(), rows.end());

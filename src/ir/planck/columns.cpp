@@ -5,6 +5,7 @@
 #include "common/error.h"
 #include "common/format.h"
 #include "common/parse_number.h"
+#include "common/text.h"
 
 namespace infra::ir {
 namespace {
@@ -48,9 +49,7 @@ std::string convert_column(std::string_view text, int column, const std::functio
     Location place{name, 0};
     while (!text.empty()) {
         ++place.line;
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::string_view line = take_line(text);
         const std::size_t first = line.find_first_not_of(blanks);
         const bool passes = first == std::string_view::npos || line[first] == '#';
         result += passes ? std::string(line) : convert_line(line, column, convert, place);

@@ -15,6 +15,8 @@ constexpr double ice_point = 273.15;  // K
 
 double convert(const PlanckArguments& arguments, double value) {
     const double offset = arguments.celsius ? ice_point : 0.0;
+    if (arguments.celsius && arguments.direction != Direction::temperature && !(value + offset > 0))
+        throw Error(formatted("temperature %g degrees C is not above -273.15 degrees C", value));
     switch (arguments.direction) {
         case Direction::radiance:
             return arguments.scale->at(value + offset).radiance;

@@ -59,6 +59,30 @@ TEST(DomeFile, ReadsThRendsLine) {
               "file:2:1: ThRend's sky has one line of ten values");
 }
 
+TEST(DomeFile, MarksOddTemperatures) {
+    const Passband band = Passband::of_band(8, 12);
+    std::vector<std::string> odd;
+    parse_elevations(numbers("0 100\n30 15\n60 400\n90 401\n"), ValueReader(ValueUnit::kelvin, &band, &odd),
+                     false);
+    parse_elevations(numbers("0 15\n90 288\n"), ValueReader(ValueUnit::celsius, &band, &odd), false);
+    EXPECT_EQ(odd,
+              (std::vector<std::string>{"file:2:4: temperature 15 K is below 100 K (degrees Celsius, -C?)",
+                                        "file:4:4: temperature 401 K is above 400 K",
+                                        "file:2:4: temperature 288 degrees C is above 400 K (kelvin, -K?)"}));
+}
+
+TEST(Dome, ItsPoleIsOneDirection) {
+    Dome dome = parse_dome_table(numbers(table_text(21)), radiances);
+    EXPECT_TRUE(dome.join_pole());
+    for (int column = 0; column <= 20; ++column) {
+        EXPECT_EQ(dome.values[10 * column], 195);
+        EXPECT_EQ(dome.values[10 * column + 1], 101 + 10 * (column % 20));
+    }
+    EXPECT_FALSE(dome.join_pole());
+    Dome even{std::vector<double>(10, 1.)};
+    EXPECT_FALSE(even.join_pole());
+}
+
 TEST(DomeFile, NamesWhatIsWrong) {
     const auto elevation_error = [](const std::string& text, const ValueReader& reader = radiances) {
         return error_of([&] { parse_elevations(numbers(text), reader, false); });
@@ -76,7 +100,7 @@ TEST(DomeFile, NamesWhatIsWrong) {
     EXPECT_EQ(elevation_error("0 0\n90 2\n", ValueReader(ValueUnit::kelvin, &band)),
               "file:1:3: temperature 0 K is not above 0 K");
     EXPECT_EQ(elevation_error("0 10\n90 -280\n", ValueReader(ValueUnit::celsius, &band)),
-              "file:2:4: temperature -6.85 K is not above 0 K");
+              "file:2:4: temperature -280 degrees C is not above -273.15 degrees C");
 }
 
 TEST(DomeFile, RefusesATableWithASeam) {

@@ -200,6 +200,22 @@ TEST_F(Genirsky, SeaOfAPlaneIsSeenWhereItLies) {
     EXPECT_NEAR(seen({Frame{.y_up = true}.direction(-40, 90)})[0][0], 30.3 - .01 * along, single_precision);
 }
 
+// Points are the scene's, however the table's azimuths stand.
+TEST_F(Genirsky, APointOfTheSeaStaysWhereItIs) {
+    folder.write("sea.txt", "0 -11.9 50\n0 11.9 1\n11.9 0 1\n-11.9 0 1\n0 0 1\n");
+    for (const std::string turn : {"", " -turn 90", " -turn -18"}) {
+        make("sea -plane sea.txt -L -height 10" + turn);
+        const auto values = seen({{0, -.766, -.643}, {0, .766, -.643}, {.766, 0, -.643}});
+        EXPECT_NEAR(values[0][0], 50, .01) << turn;
+        EXPECT_NEAR(values[1][0], 1, .01) << turn;
+        EXPECT_NEAR(values[2][0], 1, .01) << turn;
+        make("sea -plane sea.txt -L -height 10 -yup" + turn);
+        EXPECT_NEAR(seen({{0, -.643, -.766}})[0][0], 50, .01) << turn;
+    }
+    make("sea -plane sea.txt -L -height 10 -turn 30");  // between two of the table's azimuths
+    EXPECT_GT(seen({{0, -.766, -.643}})[0][0], 49);
+}
+
 // A black panel of 25 C behind air of 15 C; the rays start 100, 500, 1000 and 2000 m before it.
 TEST_F(Genirsky, AirIsReadByTheRenderers) {  // VALIDATION V11
     std::string text;
@@ -266,7 +282,7 @@ TEST_F(Genirsky, RefusesWhatIsNotStated) {
     EXPECT_EQ(error("sky -tape7 up.tp7 -angles 30,30 -b 8 12"), "genirsky: -angles names 30 deg twice\n");
     EXPECT_EQ(
         error("sky -tape7 up.tp7 -angles 0,30 -b 3 5"),
-        "genirsky: up.tp7: the band 3-5 um (2000-3333.33 cm-1) reaches beyond the file's 700-1400 cm-1\n");
+        "genirsky: up.tp7:7: the band 3-5 um (2000-3333.33 cm-1) reaches beyond the file's 700-1400 cm-1\n");
     EXPECT_EQ(
         error("sky -tape7 trans.tp7 -angles 0,30 -b 8 12"),
         "genirsky: trans.tp7:6: a run of transmittances alone (IEMSCT 0) (radiance needs IEMSCT 1 or 2)\n");
@@ -284,12 +300,46 @@ TEST_F(Genirsky, RefusesWhatIsNotStated) {
     EXPECT_EQ(error("sky -elev ten -L -angles 0,30"), "genirsky: -angles is not read here (-tape7 does)\n");
     EXPECT_EQ(error("sky -uvspec out -unit W/m2/sr/nm -umu -1 -b 8 12"),
               "genirsky: -umu is not read here (-uvspec with -columns does)\n");
+    EXPECT_EQ(error("sky -uvspec out -umu -1.5,-.5"),
+              "genirsky: command line error at '-umu -1.5,-.5': umu must be within -1..1 and not 0\n");
+    EXPECT_EQ(error("sky -uvspec out -umu -1,0"),
+              "genirsky: command line error at '-umu -1,0': umu must be within -1..1 and not 0\n");
     EXPECT_EQ(
         error("sun -dir 0 0 1 -t -3 -b 3 5"),
         "genirsky: command line error at '-t -3': the temperature must be above 0 and at most 100000 K\n");
     folder.write("large", "0 1e31\n90 1e31\n");
     EXPECT_EQ(error("sky -elev large -L"), "genirsky: radiance 1e+31 is beyond 1e+30\n");
     EXPECT_NE(error("sky -elev nowhere -L").find("cannot read \"nowhere\""), std::string::npos);
+}
+
+TEST_F(Genirsky, WarnsOfWhatLooksLikeASlip) {
+    const auto warning = [&](const std::string& arguments) {
+        const Outcome outcome = run(folder, "genirsky " + arguments);
+        EXPECT_EQ(outcome.status, 0) << arguments;
+        return outcome.err;
+    };
+    folder.write("cold", "0 15\n90 18\n");
+    EXPECT_EQ(warning("sky -elev cold -C -cs 4 -cw 8000 12000"), "");
+    EXPECT_EQ(
+        warning("sky -elev cold -K -cs 4 -cw 8000 12000"),
+        "genirsky: warning: cold:1:3: temperature 15 K is below 100 K (degrees Celsius, -C?), and 1 more "
+        "such value\n");
+    std::string poles = node_table().replace(0, 2, "26");
+    poles.resize(poles.rfind('\n', poles.size() - 2) + 1);  // the last column, which repeats the first
+    folder.write("poles", poles);
+    EXPECT_EQ(warning("sky -table poles -L"),
+              "genirsky: warning: poles: the zenith has different values by azimuth: their mean is taken\n");
+    EXPECT_EQ(warning("air -homogeneous 15 1e-4 -b 8 12"),
+              "genirsky: warning: -homogeneous: temperature 15 K is below 100 K (degrees Celsius?)\n");
+    EXPECT_EQ(warning("sun -dir 0 0 1 -b 3 5"), "");
+}
+
+TEST_F(Genirsky, WritesNoSunThatRenderersRefuse) {
+    EXPECT_EQ(
+        error("sun -dir 0 0 1 -half-angle 1e-9 -b 3 5"),
+        "genirsky: command line error at '-half-angle 1e-9': the half-angle must be within 0.0001..90 deg\n");
+    make("sun -dir 0 0 1 -half-angle 1e-4 -b 3 5");
+    EXPECT_GT(seen({{0, 0, 1}})[0][0], 0);
 }
 
 TEST_F(Genirsky, LeavesNoPartOfAFile) {

@@ -12,7 +12,7 @@ using test::error_of;
 SampledSpectrum black_body(double temperature, double from, double to, double step) {
     SampledSpectrum spectrum{"file", {}, {}};
     for (double wavenumber = from; wavenumber <= to; wavenumber += step) {
-        spectrum.wavenumber.push_back(wavenumber);
+        spectrum.place.push_back(wavenumber);
         spectrum.value.push_back(wavenumber_radiance(temperature, wavenumber));
     }
     return spectrum;
@@ -59,10 +59,44 @@ TEST(SampledSpectrum, MeanIsWeightedByTheBlackBody) {
                 band_radiance(320, 10, 12) / band_radiance(320, 8, 12), 1e-4);
 }
 
+// Samples 1 um apart. A spectrum per um by wavelength is a line there, and so is one per cm^-1 by wavenumber.
+TEST(SampledSpectrum, IntegratesStraightLinesAlongTheFilesOwnAxis) {
+    SampledSpectrum spectrum{"file", {8, 9, 10, 11, 12}, {1, 1, 1, 1, 1}};
+    spectrum.axis = spectrum.density = SpectralAxis::wavelength;
+    EXPECT_NEAR(band_integral(spectrum, Passband::of_band(8, 12)), 4, 1e-13);
+    EXPECT_NEAR(band_integral(spectrum, Passband::of_band(8.5, 9.25)), .75, 1e-13);
+    spectrum.value = {0, 2, 1, 5, 3};
+    EXPECT_NEAR(band_integral(spectrum, Passband::of_band(8, 12)), 1 + 1.5 + 3 + 4, 1e-13);
+    spectrum.axis = spectrum.density = SpectralAxis::wavenumber;
+    spectrum.place = {800, 900, 1000, 1200, 1300};
+    EXPECT_NEAR(band_integral(spectrum, Passband::of_band(1e4 / 1300, 1e4 / 800)), 100 + 150 + 600 + 400,
+                1e-10);
+}
+
+// Per cm^-1 by wavelength: of L = um the integral of um d(1e4/um), 1e4 ln(12/8).
+TEST(SampledSpectrum, IntegratesADensityOfTheOtherAxis) {
+    SampledSpectrum spectrum{"file", {8, 9, 10, 11, 12}, {8, 9, 10, 11, 12}};
+    spectrum.axis = SpectralAxis::wavelength;
+    const double expected = 1e4 * std::log(12. / 8);
+    EXPECT_NEAR(band_integral(spectrum, Passband::of_band(8, 12)), expected, 1e-9 * expected);
+}
+
+TEST(SampledSpectrum, MeanOfATransmittanceByWavelength) {
+    SampledSpectrum line{"file", {8, 12}, {.2, .6}};
+    line.axis = SpectralAxis::wavelength;
+    SampledSpectrum fine{"file", {}, {}};
+    for (double wavenumber = 1e4 / 12; wavenumber < 1251; wavenumber += .25) {
+        fine.place.push_back(wavenumber);
+        fine.value.push_back(.2 + .1 * (1e4 / wavenumber - 8));
+    }
+    const Passband band = Passband::of_band(8, 12);
+    EXPECT_NEAR(band_mean(line, band, 300), band_mean(fine, band, 300), 1e-7);
+}
+
 TEST(SampledSpectrum, RefusesABandBeyondTheFile) {
     const SampledSpectrum spectrum = black_body(300, 800, 1200, 1);
     EXPECT_EQ(error_of([&] { band_integral(spectrum, Passband::of_band(8, 12)); }),
-              "file: the band 8-12 um (833.333-1250 cm-1) reaches beyond the file's 800-1200 cm-1");
+              "file:1: the band 8-12 um (833.333-1250 cm-1) reaches beyond the file's 800-1200 cm-1");
 }
 
 }  // namespace

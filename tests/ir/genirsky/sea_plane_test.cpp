@@ -42,14 +42,15 @@ TEST(SeaGrid, FindsGridsInAnyOrder) {
 // sea.
 TEST(SeaPlane, ProjectsAGrid) {
     const Sensor sensor{.height = 10, .x = 5, .y = -3};
-    for (const double handedness : {1., -1.}) {
-        const Dome dome = project_sea(grid_points(2e4), sensor, handedness);
+    for (const Frame& frame : {Frame{}, Frame{.turn_deg = 30}, Frame{.y_up = true, .turn_deg = -100}}) {
+        const double handedness = frame.y_up ? 1 : -1;
+        const Dome dome = project_sea(grid_points(2e4), sensor, frame);
         ASSERT_EQ(dome.values.size(), 210u);
         for (int column = 0; column <= 20; ++column)
             for (int row = 0; row < 10; ++row) {
                 const double distance =
                     row == 9 ? std::sqrt(2 * 6.371e6 * 10) : 10 * std::tan(10 * row * degree);
-                const double azimuth = 18 * column * degree;
+                const double azimuth = (18 * column - frame.turn_deg) * degree;
                 const double x = 5 + distance * std::cos(azimuth),
                              y = -3 + handedness * distance * std::sin(azimuth);
                 EXPECT_NEAR(dome.values[static_cast<std::size_t>(10 * column + row)], linear(x, y), 1e-9)
@@ -68,7 +69,7 @@ TEST(SeaPlane, TakesTheNearestOfScatteredPoints) {
             points.push_back({1 + distance * std::cos(azimuth), 2 + distance * std::sin(azimuth),
                               row == 0 ? 1 : 10. * column + row});
         }
-    const Dome dome = project_sea(points, sensor, 1);
+    const Dome dome = project_sea(points, sensor, {.y_up = true});
     for (int column = 0; column <= 20; ++column)
         for (int row = 0; row < 10; ++row)
             EXPECT_EQ(dome.values[static_cast<std::size_t>(10 * column + row)],
@@ -84,6 +85,15 @@ TEST(SeaPlane, ReadsPoints) {
     EXPECT_EQ(points[1].radiance, 35);
     EXPECT_EQ(error_of([&] { parse_sea_points(parse_numbers("0 1 34\n0 2\n", "sea"), reader); }),
               "sea:2: found 2 numbers (a line is x, y and a value)");
+}
+
+TEST(SeaPlane, HasOneValueAtAPlace) {
+    const ValueReader reader(ValueUnit::radiance, nullptr);
+    const std::string grid = "0 0 34\n0 1 35\n1 0 36\n1 1 37\n";
+    const auto points = parse_sea_points(parse_numbers(grid + "0 1 35\n", "sea"), reader);
+    EXPECT_TRUE(SeaGrid::find(points));
+    EXPECT_EQ(error_of([&] { parse_sea_points(parse_numbers(grid + "0 1 36\n", "sea"), reader); }),
+              "sea:5:1: line 2 has another value at 0 1");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(Tape7, ReadsEveryLayout) {
             ASSERT_EQ(runs.size(), 1u);
             EXPECT_EQ(runs[0].line, 6);
             EXPECT_TRUE(runs[0].has_radiance);
-            EXPECT_EQ(runs[0].transmittance.wavenumber.size(), 351u);
+            EXPECT_EQ(runs[0].transmittance.place.size(), 351u);
             EXPECT_NEAR(runs[0].transmittance.value[17], .6, 1e-8);
             const double b = wavenumber_radiance(air.temperature, 734),
                          ground = wavenumber_radiance(300, 734);
@@ -71,7 +71,7 @@ TEST(Tape7, ReadsSeveralRunsWithAndWithoutHeadings) {
 TEST(Tape7, ReadsWindowsLineEnds) {
     std::string text;
     for (const char c : short_run()) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
-    EXPECT_EQ(parse_tape7(text, "tape7")[0].total_radiance.wavenumber.back(), 910);
+    EXPECT_EQ(parse_tape7(text, "tape7")[0].total_radiance.place.back(), 910);
 }
 
 TEST(Tape7, KnowsRunsOfTransmittanceAlone) {
@@ -110,6 +110,8 @@ TEST(Tape7, NamesWhatIsWrongInALine) {
     EXPECT_EQ(parse_error(changed(96, "***********")),
               "tape7:8:97: TOTAL_RAD: expected a number, found \"***********\" (columns end where their "
               "headings end)");
+    EXPECT_EQ(parse_error(changed(10, "\t")),
+              "tape7:8:11: a tab: columns must be of fixed width (blanks, no tabs, as MODTRAN writes them)");
     EXPECT_EQ(parse_error(changed(96, "-1.0000E-07")), "tape7:8: TOTAL_RAD is negative: -1e-07");
     EXPECT_EQ(parse_error(short_run(8, good.substr(0, 103) + "\n")),
               "tape7:8:98: the line is cut off in column TOTAL_RAD");

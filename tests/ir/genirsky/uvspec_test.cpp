@@ -42,9 +42,10 @@ TEST(Uvspec, ReadsBlocksWithAzimuths) {
     ASSERT_EQ(radiances.size(), 6u);
     EXPECT_EQ(radiances[4].umu, -.5);
     EXPECT_EQ(radiances[4].phi, 90);
-    // by rising wavenumber
-    EXPECT_NEAR(radiances[4].radiance.wavenumber[0], 1e7 / 12000, 1e-9);
-    EXPECT_EQ(radiances[4].radiance.value, (std::vector<double>{8, 3}));
+    EXPECT_EQ(radiances[4].radiance.place, (std::vector<double>{8, 12}));
+    EXPECT_EQ(radiances[4].radiance.value, (std::vector<double>{3, 8}));
+    EXPECT_EQ(radiances[4].radiance.axis, SpectralAxis::wavelength);
+    EXPECT_EQ(radiances[4].radiance.density, SpectralAxis::wavenumber);
 }
 
 TEST(Uvspec, ReadsBlocksWithoutAzimuths) {
@@ -53,7 +54,7 @@ TEST(Uvspec, ReadsBlocksWithoutAzimuths) {
     const auto radiances = parse(text, blocks("W/m2/sr/cm-1"));
     ASSERT_EQ(radiances.size(), 2u);
     EXPECT_FALSE(radiances[0].phi);
-    EXPECT_EQ(radiances[1].radiance.value, (std::vector<double>{8, 6}));
+    EXPECT_EQ(radiances[1].radiance.value, (std::vector<double>{6, 8}));
 }
 
 TEST(Uvspec, ReadsColumns) {
@@ -66,9 +67,16 @@ TEST(Uvspec, ReadsColumns) {
 }
 
 TEST(Uvspec, KnowsItsUnits) {
-    EXPECT_NEAR(SpectralUnit::parse("mW/m2/sr/nm").per_wavenumber(1, 1000), 1e-3 * 10, 1e-12);
-    EXPECT_NEAR(SpectralUnit::parse("W/m2/sr/um").per_wavenumber(1, 2000), 2.5e-3, 1e-12);
-    EXPECT_EQ(SpectralUnit::parse("W/cm2/sr/cm-1").per_wavenumber(1, 2000), 1e4);
+    const auto is = [](const char* name, double watts, SpectralAxis density) {
+        const SpectralUnit unit = SpectralUnit::parse(name);
+        EXPECT_DOUBLE_EQ(unit.watts(3), 3 * watts) << name;
+        EXPECT_EQ(unit.density(), density) << name;
+    };
+    is("W/m2/sr/nm", 1e3, SpectralAxis::wavelength);
+    is("mW/m2/sr/nm", 1, SpectralAxis::wavelength);
+    is("W/m2/sr/um", 1, SpectralAxis::wavelength);
+    is("mW/m2/sr/cm-1", 1e-3, SpectralAxis::wavenumber);
+    is("W/cm2/sr/cm-1", 1e4, SpectralAxis::wavenumber);
     EXPECT_EQ(error_of([] { SpectralUnit::parse("W"); }),
               "unknown unit \"W\" (W/m2/sr/nm, mW/m2/sr/nm, W/m2/sr/um, W/m2/sr/cm-1, mW/m2/sr/cm-1, "
               "W/cm2/sr/cm-1)");
@@ -141,6 +149,26 @@ TEST(Uvspec, MirrorsHalfACircle) {
     }
 }
 
+// As the table of 210 values: 360 deg repeats 0 deg.
+TEST(Uvspec, ClosesTheCircle) {
+    const std::string head = std::string("8000") + fluxes + "0 180 360\n",
+                      tail = std::string("12000") + fluxes + "0 180 360\n-1 5 4 5 4\n-.5 5 1 2 1\n";
+    const auto radiances = parse(head + "-1 5 1 2 1\n-.5 5 3 4 3\n" + tail, blocks());
+    ASSERT_EQ(radiances.size(), 4u);
+    EXPECT_EQ(radiances[3].phi, 180);
+    EXPECT_EQ(radiances[3].radiance.value, (std::vector<double>{4, 2}));
+    EXPECT_EQ(dome_of_uvspec(radiances, true, Passband::of_band(8, 12)).values.size(), 210u);
+    EXPECT_EQ(parse_error(head + "-1 5 1 2 1\n-.5 5 3 4 3.1\n" + tail, blocks()),
+              "out:4:11: the radiance 3.1 is not that of phi 0 in the same direction, 3");
+
+    const auto layout = columns({"lambda", "uu", "sza"}, {-1, -.5}, {-180, 0, 180});
+    const auto lines = parse("8000 1 2 1 3 4 3 0\n12000 5 6 5 7 8 7 0\n", layout);
+    ASSERT_EQ(lines.size(), 4u);
+    EXPECT_EQ(lines[2].radiance.value, (std::vector<double>{3, 7}));
+    EXPECT_EQ(parse_error("8000 1 2 1 3 4 2 0\n", layout),
+              "out:1:16: the radiance 2 is not that of phi -180 in the same direction, 3");
+}
+
 TEST(Uvspec, NeedsTheRightHalfSpace) {
     const auto up = parse(grey_blocks({-1, -.5}), blocks());
     EXPECT_EQ(error_of([&] { dome_of_uvspec(up, false, Passband::of_band(8, 12)); }),
@@ -151,7 +179,7 @@ TEST(Uvspec, RefusesADirectionTwice) {
     const std::vector<UvspecRadiance> radiances{constant(-1, 0, 1), constant(-.5, 0, 1),
                                                 constant(-.5, 360, 1)};
     EXPECT_EQ(error_of([&] { dome_of_uvspec(radiances, true, Passband::of_band(8, 12)); }),
-              "two radiances 60 deg from the pole at phi 0");
+              "out: two radiances 60 deg from the pole at phi 0");
 }
 
 TEST(Uvspec, NamesWhatIsWrong) {
