@@ -79,7 +79,7 @@ void Tracer::trace_in_air(Interaction& at) {
         Spectrum air(at.channels()), transmittance(at.channels());
         const double start = at.ray->fore + at.ray->path_before;
         const double near = at.ray->parent ? start : 0.0;  // the camera stands before the clipping plane
-        scene_.air()->apply(near, start + at.distance, air, transmittance);
+        scene_.air()->stretch(near, start + at.distance, transmittance, air);
         for (int c = 0; c < at.channels(); ++c)
             at.radiance.set(c, transmittance[c] * (at.radiance[c] - sky.radiance[c]) +
                                    air[c] * (1.0f - sky.share[c]) + sky.radiance[c]);
@@ -299,9 +299,12 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
         child.direction = draw.wi;
         Interaction seen(child);
         trace(seen);
-        if (lobe.colored) [[unlikely]]
+        seen.radiance *= child.coefficient;
+        if (lobe.colored) [[unlikely]] {
             lobe.tint(draw.wi, tint);
-        sum.add_scaled(seen.radiance * child.coefficient * tint, static_cast<float>(draw.weight));
+            seen.radiance *= tint;
+        }
+        sum.add_scaled(seen.radiance, static_cast<float>(draw.weight));
     }
     at.radiance.add_scaled(sum, static_cast<float>(count) / static_cast<float>(draws));
 }

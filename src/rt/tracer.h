@@ -1,9 +1,9 @@
 // Follows rays through a compiled scene: one Tracer per thread.
 //
 //     Tracer tracer(*scene, settings);
-//     tracer.start_stream(pixel);                        // the random numbers of this ray and all its
-//     descendants Ray ray = tracer.primary(origin, direction, 0); Interaction at(ray); tracer.trace(at); //
-//     at.radiance, at.apparent_distance(), ...
+//     tracer.start_stream(pixel);  // random numbers of this ray and all that follow from it
+//     Ray ray = tracer.primary(origin, direction, 0);
+//     Interaction at(ray); tracer.trace(at);  // at.radiance, at.apparent_distance(), ...
 //
 // The path of a ray reads top to bottom in tracer.cpp: trace -> shade -> transport -> child rays.
 #pragma once

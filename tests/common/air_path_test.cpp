@@ -21,9 +21,9 @@ std::string homogeneous() {
 }
 
 double through(const AirPath& air, double near, double far, double radiance) {
-    Spectrum value(3, static_cast<float>(radiance)), factor(3);
-    air.apply(near, far, value, factor);
-    return double(value[1]);
+    Spectrum transmittance(3), added(3);
+    air.stretch(near, far, transmittance, added);
+    return double(transmittance[1]) * radiance + double(added[1]);
 }
 
 TEST(AirPath, HomogeneousAirFollowsBeersLaw) {
@@ -47,12 +47,12 @@ TEST(AirPath, StretchesInARowAreOne) {
 TEST(AirPath, ChannelsTakeTheBandsTheyCover) {
     const AirPath air =
         AirPath::parse("#% bands 8 10 12\n1000 .5 4 .25 2\n", "air", Channels::spectral(4, 8000, 12000));
-    Spectrum value(4, 8.0f), factor(4);
-    air.apply(0, 1000, value, factor);
+    Spectrum transmittance(4), added(4);
+    air.stretch(0, 1000, transmittance, added);
     // longest first: two channels of 10-12 um, each with half the band's radiance, times 4
     for (const auto& [c, expected] :
          {std::pair{0, 0.25 * 8 + 4}, {1, 0.25 * 8 + 4}, {2, 0.5 * 8 + 8}, {3, 0.5 * 8 + 8}})
-        EXPECT_NEAR(double(value[c]), expected, 1e-5) << c;
+        EXPECT_NEAR(double(transmittance[c]) * 8 + double(added[c]), expected, 1e-5) << c;
     // RGB: the whole band
     const AirPath gray = AirPath::parse("#% bands 8 10 12\n1000 .5 4 .25 2\n", "air", {});
     EXPECT_NEAR(through(gray, 0, 1000, 8), 0.375 * 8 + 6, 1e-5);

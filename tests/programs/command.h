@@ -7,37 +7,29 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
+
+#include "../common/test_files.h"
 
 namespace infra::test {
 
-/// A temporary folder, removed with all that is in it.
+/// A temporary folder whose files are written and read by name.
 class Folder {
   public:
-    Folder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "infra_test_XXXXXX").string();
-        if (!mkdtemp(pattern.data())) throw std::runtime_error("cannot make a temporary folder");
-        path_ = pattern;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path_); }
-
-    std::string path(const std::string& name) const { return (path_ / name).string(); }
-    bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
+    std::string path(const std::string& name) const { return folder_ / name; }
+    bool has(const std::string& name) const { return std::filesystem::exists(path(name)); }
     void write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
+        std::ofstream(path(name), std::ios::binary) << text;
     }
     std::string read(const std::string& name) const {
-        std::ifstream file(path_ / name, std::ios::binary);
+        std::ifstream file(path(name), std::ios::binary);
         std::ostringstream text;
         text << file.rdbuf();
         return text.str();
     }
 
   private:
-    std::filesystem::path path_;
+    TemporaryFolder folder_;
 };
 
 struct Outcome {

@@ -29,15 +29,15 @@ AirPath::Point AirPath::channel_at(int channel, double distance) const {
     return sum;
 }
 
-void AirPath::apply(double near, double far, Spectrum& radiance, Spectrum& factor) const {
+void AirPath::stretch(double near, double far, Spectrum& transmittance, Spectrum& radiance) const {
+    transmittance.clear();
+    radiance.clear();
     for (int c = 0; c < radiance.channels(); ++c) {
         const Point before = near > 0 ? channel_at(c, near) : Point{1, 0};
         const Point after = channel_at(c, far);
         if (before.transmittance <= 0) continue;  // nothing of it reaches the camera
-        const double transmittance = after.transmittance / before.transmittance;
-        const double added = (after.radiance - before.radiance) / before.transmittance;
-        factor.set(c, static_cast<float>(transmittance));
-        radiance.set(c, static_cast<float>(transmittance * double(radiance[c]) + added));
+        transmittance.set(c, static_cast<float>(after.transmittance / before.transmittance));
+        radiance.set(c, static_cast<float>((after.radiance - before.radiance) / before.transmittance));
     }
 }
 

@@ -32,10 +32,9 @@ class AirPath {
     /// order, and bands that do not reach all channels
     static AirPath parse(std::string_view text, const std::string& name, const Channels& channels);
 
-    /// What is left of `radiance` after the stretch from `near` to `far`, both distances from the camera, and
-    /// what the air of the stretch adds, as seen at its near end. factor: what the radiance was multiplied
-    /// by.
-    void apply(double near, double far, Spectrum& radiance, Spectrum& factor) const;
+    /// The air between two distances from the camera, 0 <= near <= far, as seen at its near end: the share of
+    /// a radiance behind it that gets through, and the radiance [as the channels'] that it adds.
+    void stretch(double near, double far, Spectrum& transmittance, Spectrum& radiance) const;
 
     /// Edges of the file's bands in um, increasing; empty when it states none.
     const std::vector<double>& edges_um() const { return edges_um_; }

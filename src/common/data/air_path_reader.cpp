@@ -33,8 +33,6 @@ class AirPathReader {
             throw Error(place_, "no rows", "a row is a distance, a transmittance and a path radiance");
     }
 
-    std::vector<double> edges_um;
-
   private:
     double number(const std::string& word) const {
         double value;
@@ -43,6 +41,7 @@ class AirPathReader {
     }
 
     void read_directive(const std::vector<std::string>& words) {
+        std::vector<double>& edges_um = out_.edges_um_;
         if (words.empty() || words[0] != "bands" || words.size() < 3)
             throw Error(place_, "unknown directive", "\"#% bands 8 10 12\" states the edges of bands in um");
         if (!edges_um.empty() || !out_.bands_.empty())
@@ -56,7 +55,7 @@ class AirPathReader {
 
     void read_row(const std::vector<std::string>& words) {
         if (words.empty()) return;
-        const std::size_t bands = edges_um.empty() ? 1 : edges_um.size() - 1;
+        const std::size_t bands = out_.edges_um_.empty() ? 1 : out_.edges_um_.size() - 1;
         if (words.size() != 1 + 2 * bands)
             throw Error(place_, formatted("expected %zu columns, found %zu", 1 + 2 * bands, words.size()),
                         "a row is a distance, then a transmittance and a path radiance for every band");
@@ -105,9 +104,7 @@ AirPath AirPath::read(const std::string& path, const Channels& channels) {
 
 AirPath AirPath::parse(std::string_view text, const std::string& name, const Channels& channels) {
     AirPath result(channels);
-    AirPathReader reader(result, name);
-    reader.read(text);
-    result.edges_um_ = reader.edges_um;
+    AirPathReader(result, name).read(text);
     result.share_bands(channels, name);
     return result;
 }
