@@ -39,6 +39,8 @@ enum RayKind : std::uint16_t {
 inline constexpr std::uint32_t no_flat_shape = ~0u;
 
 struct Interaction;
+struct Medium;
+struct Placement;
 
 struct Ray {
     Vec3 origin{0};
@@ -51,6 +53,7 @@ struct Ray {
     std::uint32_t leaving = no_flat_shape;  ///< flat shape that the ray starts on and so cannot meet
     double weight = 1;      ///< share of the primary ray's value that this one can still change
     Spectrum coefficient;   ///< of this ray's radiance in its parent's
+    const Medium* medium = nullptr;  ///< what it travels in (volume/medium.h), nullptr: what -me says, or nothing
     int level = 0;          ///< reflections so far
     int ambient_level = 0;  ///< diffuse bounces so far
     int aimed_source = -1;  ///< the light source that a shadow ray goes to
@@ -81,6 +84,9 @@ struct Interaction {
     double cosine = 1;  ///< of ray and normal, negative from behind
     std::uint32_t flat_shape = no_flat_shape;  ///< the shape if it is flat
     int surface = -1;                          ///< index among the scene's surfaces, -1: nothing
+    /// Where the instance stands that the surface belongs to (geometry/placement.h), nullptr: in none.
+    const Placement* placement = nullptr;
+    double local_uv[2] = {0, 0};  ///< of a mesh: the functions' Lu and Lv
     Vec3 perturbation{0};                      ///< of the normal, the sum of the textures met so far
     bool flipped = false;
 

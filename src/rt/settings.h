@@ -23,6 +23,8 @@ struct RenderSettings {
     double shadow_threshold = 0.05;   ///< -dt: sources that could add less than this share are not tested
     double shadow_certainty = 0.5;    ///< -dc
     bool sources_visible = true;      ///< -dv
+    int direct_relays = 1;            ///< -dr: mirrors on the way from a source, 0..
+    int direct_pretest = 512;         ///< -dp: rays to see whether a virtual source is worth keeping; 0: keep all
 
     // Specular lobes
     double specular_threshold = 0.15;  ///< -st: rough lobes of this share or less join the ambient term
@@ -30,10 +32,20 @@ struct RenderSettings {
 
     // Diffuse interreflection
     float ambient_value[3] = {0, 0, 0};  ///< -av: radiance assumed where the bounces end
+    int ambient_value_weight = 0;        ///< -aw: weight of -av among the cached values, 0: it stays as it is
     int ambient_bounces = 0;             ///< -ab
+    double ambient_accuracy = 0;         ///< -aa: error of interpolated irradiance, 0: none is interpolated
+    int ambient_resolution = 64;         ///< -ar: scene size over the least distance of cached values; 0: no limit
+    std::string ambient_file;            ///< -af: cached values from and for other runs; empty: none
     int ambient_divisions = 512;         ///< -ad: rays of a hemisphere
     int ambient_super_samples = 128;     ///< -as: extra rays where neighbours differ
     NameFilter ambient_filter;           ///< -ai -ae
+
+    // Participating medium everywhere but where a mist says otherwise
+    float extinction[3] = {0, 0, 0};         ///< -me: per scene unit
+    float scattering_albedo[3] = {0, 0, 0};  ///< -ma
+    double scattering_eccentricity = 0;      ///< -mg: Henyey-Greenstein's g
+    double medium_step = 0;                  ///< -ms: distance between samples of scattered light; 0: none
 
     // Air
     std::string air_path;  ///< -mp: file of the air along camera rays (common/data/air_path.h); empty: none

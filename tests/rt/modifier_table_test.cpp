@@ -173,7 +173,7 @@ TEST(EveryMaterial, EvaluatesToFiniteValuesAndOpaqueOnesToNoneBelow) {
             at.cosine = wo.z;
             at.surface = 0;
             Scattering scattering(at.perturbed_normal(), 3);
-            material->scatter(at, true, scene.settings(), false, scattering);
+            material->scatter(scene.tracer(), at, false, scattering);
             const Vec3 wi =
                 test::direction(std::acos(1 - 2 * random.uniform()), 2 * std::numbers::pi * random.uniform());
             Spectrum f(3);

@@ -13,6 +13,7 @@
 
 #include "rt/compile/modifier_table.h"
 #include "rt/materials/surface_material.h"
+#include "rt/tracer.h"
 
 namespace infra {
 namespace {
@@ -36,8 +37,7 @@ class Glass final : public SurfaceMaterial {
     Glass(std::string_view name, const Modifier* next, const Spectrum& color, double index)
         : SurfaceMaterial(name, next, true), color_(color), index_(index) {}
 
-    void scatter(const Interaction& at, bool flat_surface, const RenderSettings&, bool shadow,
-                 Scattering& out) const override {
+    void scatter(Tracer& tracer, const Interaction& at, bool shadow, Scattering& out) const override {
         const double cosine = std::max(-dot(out.normal, at.ray->direction), 1e-6);
         const bool textured = at.textured();
         const double inner = std::sqrt(1.0 - (1.0 - cosine * cosine) / (index_ * index_));
@@ -68,7 +68,7 @@ class Glass final : public SurfaceMaterial {
         out.has_mirror = true;
         out.mirror_coefficient = reflected;
         out.mirror_direction = at.ray->direction + out.normal * (2.0 * cosine);
-        out.image_behind = flat_surface && (!textured || at.ray->is(ambient_rays));
+        out.image_behind = tracer.is_flat(at) && (!textured || at.ray->is(ambient_rays));
         out.pure_specular = true;
     }
 

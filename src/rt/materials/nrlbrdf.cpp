@@ -39,7 +39,7 @@ class TableMaterial final : public SurfaceMaterial {
           sampler_(tables.distribution, alpha),
           spectral_(tables.spectral) {}
 
-    void scatter(const Interaction& at, bool, const RenderSettings&, bool, Scattering& out) const override {
+    void scatter(Tracer&, const Interaction& at, bool, Scattering& out) const override {
         const Spectrum color = color_ * at.pattern;
         const BrdfTable& table = sampler_.table();
         const double cosine = -dot(out.normal, at.ray->direction);

@@ -14,7 +14,7 @@ bool SurfaceMaterial::shade(Tracer& tracer, Interaction& at) const {
     tracer.apply_patterns(next(), at);
     if (at.cosine < 0) at.flip();
     Scattering scattering(at.perturbed_normal(), at.channels());
-    scatter(at, tracer.is_flat(at), tracer.settings(), shadow, scattering);
+    scatter(tracer, at, shadow, scattering);
     tracer.transport(scattering, at);
     return true;
 }

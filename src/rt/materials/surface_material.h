@@ -4,7 +4,6 @@
 #include "rt/materials/scattering.h"
 #include "rt/modifier.h"
 #include "rt/ray.h"
-#include "rt/settings.h"
 
 namespace infra {
 
@@ -16,8 +15,8 @@ class SurfaceMaterial : public Modifier {
 
     /// Fills `out` for the hit `at`: its normal faces the viewer, its patterns and textures have been applied
     /// and out.normal is the normal with textures. shadow: only what a shadow ray passes through is wanted.
-    virtual void scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings,
-                         bool shadow, Scattering& out) const = 0;
+    /// The tracer answers for settings and evaluates functions; no ray may be traced here.
+    virtual void scatter(Tracer& tracer, const Interaction& at, bool shadow, Scattering& out) const = 0;
 
     bool shade(Tracer& tracer, Interaction& at) const final;
     const MaterialTraits* traits() const final { return &traits_; }

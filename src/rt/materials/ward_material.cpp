@@ -5,6 +5,7 @@
 #include "rt/compile/modifier_table.h"
 #include "rt/compile/table_cache.h"
 #include "rt/lobes/ward.h"
+#include "rt/tracer.h"
 
 namespace infra {
 namespace {
@@ -31,8 +32,9 @@ std::unique_ptr<Modifier> make_ward_material(ModifierContext& context, WardParam
     return std::make_unique<WardMaterial>(context.name(), context.next, parameters, transparent);
 }
 
-void WardMaterial::scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings,
-                           bool shadow, Scattering& out) const {
+void WardMaterial::scatter(Tracer& tracer, const Interaction& at, bool shadow, Scattering& out) const {
+    const RenderSettings& settings = tracer.settings();
+    const bool flat_surface = tracer.is_flat(at);
     const bool textured = at.textured();
     const double cosine = std::max(-dot(out.normal, at.ray->direction), 0.001);
     const bool smooth = p_.roughness * p_.roughness <= tiny;

@@ -31,8 +31,7 @@ class WardMaterial final : public SurfaceMaterial {
                  bool transparent)
         : SurfaceMaterial(name, next, transparent), p_(parameters) {}
 
-    void scatter(const Interaction& at, bool flat_surface, const RenderSettings& settings, bool shadow,
-                 Scattering& out) const override;
+    void scatter(Tracer& tracer, const Interaction& at, bool shadow, Scattering& out) const override;
 
   private:
     WardParameters p_;

@@ -33,8 +33,8 @@ void add_direct_rows(OptionTable& table, RenderOptions& options) {
     table.real("-dj", &settings.source_jitter, "direct jitter");
     table.real("-ds", &settings.source_size_ratio, "direct sampling");
     const std::string no_relays = "scenes with mirror or prism are refused so far";
-    has_no_effect(table.integer("-dr", &options.direct_relays, "direct relays"), no_relays);
-    has_no_effect(table.integer("-dp", &options.direct_pretest, "direct pretest density"), no_relays);
+    has_no_effect(table.integer("-dr", &settings.direct_relays, "direct relays"), no_relays);
+    has_no_effect(table.integer("-dp", &settings.direct_pretest, "direct pretest density"), no_relays);
     table.toggle("-dv", &settings.sources_visible, "direct visibility");
 }
 
@@ -52,10 +52,10 @@ void add_ambient_rows(OptionTable& table, RenderOptions& options) {
             const auto& value = settings.ambient_value;
             return formatted("-av %f %f %f", double(value[0]), double(value[1]), double(value[2]));
         });
-    has_no_effect(table.integer("-aw", &options.ambient_value_weight, "ambient value weight"), no_cache);
+    has_no_effect(table.integer("-aw", &settings.ambient_value_weight, "ambient value weight"), no_cache);
     table.integer("-ab", &settings.ambient_bounces, "ambient bounces");
-    has_no_effect(table.real("-aa", &options.ambient_accuracy, "ambient accuracy"), no_cache);
-    has_no_effect(table.integer("-ar", &options.ambient_resolution, "ambient resolution"), no_cache);
+    has_no_effect(table.real("-aa", &settings.ambient_accuracy, "ambient accuracy"), no_cache);
+    has_no_effect(table.integer("-ar", &settings.ambient_resolution, "ambient resolution"), no_cache);
     table.integer("-ad", &settings.ambient_divisions, "ambient divisions");
     table.integer("-as", &settings.ambient_super_samples, "ambient super-samples");
     add_name_filter(table, "-a", settings.ambient_filter, "in indirect light");
@@ -160,7 +160,11 @@ Channels RenderOptions::channels() const {
     return channel_count == 3 && spectral.shows_colors() ? Channels() : spectral;
 }
 
-RenderOptions rpict_defaults() { return {}; }
+RenderOptions rpict_defaults() {
+    RenderOptions options;
+    options.settings.ambient_accuracy = 0.2;
+    return options;
+}
 
 RenderOptions rtrace_defaults() {
     RenderOptions options;
@@ -172,9 +176,9 @@ RenderOptions rtrace_defaults() {
     settings.ambient_super_samples = 512;
     settings.max_reflections = -10;
     options.uncorrelated = true;
-    options.direct_relays = 2;
-    options.ambient_accuracy = 0.1;
-    options.ambient_resolution = 256;
+    settings.direct_relays = 2;
+    settings.ambient_accuracy = 0.1;
+    settings.ambient_resolution = 256;
     return options;
 }
 

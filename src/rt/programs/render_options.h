@@ -20,15 +20,7 @@ struct RenderOptions {
 
     /// What -cs and -cw ask for. throws Error as Channels::spectral.
     Channels channels() const;
-
-    // Accepted so that RADIANCE's option files work. They steer the indirect cache, the virtual sources and
-    // the choice of random sequence, none of which exists here: every hemisphere is computed, as with -aa 0.
-    bool uncorrelated = false;      ///< -u
-    int ambient_value_weight = 0;   ///< -aw
-    double ambient_accuracy = 0.2;  ///< -aa
-    int ambient_resolution = 64;    ///< -ar
-    int direct_relays = 1;          ///< -dr
-    int direct_pretest = 512;       ///< -dp
+    bool uncorrelated = false;                    ///< -u: accepted, every ray's samples are independent
 };
 
 /// What the programs start from.
