@@ -7,6 +7,7 @@
 namespace infra {
 
 class Emitter;
+class LightRelay;
 class Tracer;
 struct Interaction;
 
@@ -17,7 +18,9 @@ struct MaterialTraits {
     bool blocks_light = false;  ///< a shadow ray that meets it is certainly stopped
     bool emits = false;         ///< sends out radiance of its own, or a part of it does
     bool is_light = false;      ///< light, glow, spotlight, illum: not shaded white by -i
-    bool is_mixture = false;    ///< stands for the materials it mixes
+    bool is_mixture = false;    ///< stands for other materials: mixtures, antimatter
+    const LightRelay* relay =
+        nullptr;  ///< a flat surface of it makes images of light sources (mirror, prism)
 };
 
 class Modifier {

@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "common/spectra/spectrum.h"
 #include "common/vec.h"
+#include "rt/volume/medium.h"
 
 namespace infra {
 
@@ -38,9 +40,14 @@ enum RayKind : std::uint16_t {
 
 inline constexpr std::uint32_t no_flat_shape = ~0u;
 
+struct Cut;
 struct Interaction;
-struct Medium;
-struct Placement;
+
+/// A shape of the scene, and in which instance: numbers as in geometry/geometry.h, 0 for none.
+struct PlacedShape {
+    std::uint32_t shape = no_flat_shape;
+    std::uint64_t placement = 0;
+};
 
 struct Ray {
     Vec3 origin{0};
@@ -50,13 +57,15 @@ struct Ray {
     double path_before = 0;    ///< length of the path from the eye to the origin
     double shadow_before = 0;  ///< length of the shadow rays before this one
     const Interaction* parent = nullptr;
-    std::uint32_t leaving = no_flat_shape;  ///< flat shape that the ray starts on and so cannot meet
-    double weight = 1;      ///< share of the primary ray's value that this one can still change
-    Spectrum coefficient;   ///< of this ray's radiance in its parent's
-    const Medium* medium = nullptr;  ///< what it travels in (volume/medium.h), nullptr: what -me says, or nothing
-    int level = 0;          ///< reflections so far
-    int ambient_level = 0;  ///< diffuse bounces so far
-    int aimed_source = -1;  ///< the light source that a shadow ray goes to
+    PlacedShape leaving;             ///< flat shape that the ray starts on and so cannot meet
+    double weight = 1;               ///< share of the primary ray's value that this one can still change
+    Spectrum coefficient;            ///< of this ray's radiance in its parent's
+    const Medium* medium = nullptr;  ///< what it starts in, nullptr: nothing
+    const Cut* cut = nullptr;     ///< what antimatter takes out of its way (volume/cut.h), nullptr: nothing
+    int level = 0;                ///< reflections so far
+    int ambient_level = 0;        ///< diffuse bounces so far
+    int aimed_source = -1;        ///< the light source that a shadow ray goes to
+    bool past_obstacles = false;  ///< meets only that source, and the mirrors that it is the image of
     std::uint16_t kind = primary_ray;
     std::uint16_t lineage = primary_ray;
 
@@ -74,7 +83,7 @@ struct SkyView {
 
 struct Interaction {
     const Ray* ray;
-    double weight;     ///< the ray's, less within mixtures
+    double weight;     ///< the ray's, less within mixtures and behind a medium
     double share = 1;  ///< of this part in the mixture that it belongs to
 
     // Where: set by the intersection, the point is the ray's origin where nothing near was hit
@@ -84,11 +93,14 @@ struct Interaction {
     double cosine = 1;  ///< of ray and normal, negative from behind
     std::uint32_t flat_shape = no_flat_shape;  ///< the shape if it is flat
     int surface = -1;                          ///< index among the scene's surfaces, -1: nothing
-    /// Where the instance stands that the surface belongs to (geometry/placement.h), nullptr: in none.
-    const Placement* placement = nullptr;
-    double local_uv[2] = {0, 0};  ///< of a mesh: the functions' Lu and Lv
+    std::uint64_t placement = 0;               ///< number of the instance it is met in (Geometry), 0: none
+    double local_uv[2] = {0, 0};               ///< of a mesh: the functions' Lu and Lv
     Vec3 perturbation{0};                      ///< of the normal, the sum of the textures met so far
     bool flipped = false;
+
+    /// What the ray has travelled in: what it started in, unless the boundary at its end knows better.
+    const Medium* medium;
+    const Cut* cut_beyond;  ///< as the ray's, for rays that go on through the surface
 
     // What: set while shading
     /// Planck's radiance at the temperature of the surface being shaded, if it has one
@@ -101,12 +113,15 @@ struct Interaction {
     Spectrum mirrored;  ///< the part of it that is a mirror image
     double mirrored_distance = infinite_distance;
     double direct_distance = infinite_distance;  ///< optical length of the rest
+    std::optional<Medium> found_medium;          ///< what `medium` points to once it has been corrected
 
     explicit Interaction(const Ray& r)
         : ray(&r),
           weight(r.weight),
           point(r.origin),
           normal(-r.direction),
+          medium(r.medium),
+          cut_beyond(r.cut),
           pattern(r.coefficient.channels(), 1.0f),
           radiance(r.coefficient.channels()),
           mirrored(r.coefficient.channels()) {}
@@ -122,6 +137,9 @@ struct Interaction {
         const double c = -dot(turned, ray->direction);
         return (c > 0) == (cosine > 0) ? turned : turned + ray->direction * (2.0 * c);
     }
+
+    /// Corrects `medium` from the ray's end.
+    void has_travelled_in(const Medium& found) { medium = &found_medium.emplace(found); }
 
     bool hit() const { return surface >= 0; }
     int channels() const { return radiance.channels(); }

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "rt/ambient/hemisphere_cells.h"
+#include "rt/ambient/hemisphere_mesh.h"
 #include "rt/tracer.h"
 
 namespace infra {
@@ -17,12 +19,10 @@ struct Tracer::Contribution {
     float brightness;
 };
 
-/// One stratum of a hemisphere of ambient rays.
-struct HemisphereCell {
-    Spectrum mean;
-    float brightness = 0;
-    float variance = 0;
-    int neighbours = 0;
+/// What a hemisphere whose irradiance is cached has seen through its strata, and where.
+struct HemisphereView {
+    std::vector<HemisphereCell> cells;
+    std::vector<MeshCorner> corners;
 };
 
 struct Tracer::Scratch {
@@ -30,6 +30,7 @@ struct Tracer::Scratch {
     std::vector<std::uint32_t> order;
     std::vector<float> tail;
     std::vector<std::vector<HemisphereCell>> hemispheres;  ///< by ambient level
+    std::vector<HemisphereView> views;                     ///< the same
 };
 
 }  // namespace infra

@@ -7,6 +7,7 @@
 
 #include "rt/materials/scattering.h"
 #include "rt/scratch.h"
+#include "rt/volume/cut.h"
 
 namespace infra {
 namespace {
@@ -34,6 +35,7 @@ Ray Tracer::primary(const Vec3& origin, const Vec3& direction, double max_distan
     ray.origin = origin;
     ray.direction = direction;
     ray.max_distance = max_distance;
+    ray.medium = scene_.medium();
     return ray;
 }
 
@@ -42,6 +44,10 @@ Ray Tracer::primary(const Vec3& origin, const Vec3& direction, double max_distan
 
 void Tracer::trace(Interaction& at) {
     if (!at.ray->parent) stack_base_ = static_cast<const char*>(__builtin_frame_address(0));
+    if (at.ray->past_obstacles) [[unlikely]] {
+        view_source(at);
+        return;
+    }
     if (scene_.air() && !settings_.irradiance && !(at.ray->lineage & ~(primary_ray | through_ray)))
         trace_in_air(at);
     else
@@ -51,7 +57,9 @@ void Tracer::trace(Interaction& at) {
         at.radiance.clear();
         at.mirrored.clear();
     }
-    if (observer_) observer_->observe(at);
+    if (observer_) observer_->observe(at);  // before the medium takes its part, as in RADIANCE
+    if (at.medium) [[unlikely]]
+        participate(at);
 }
 
 void Tracer::trace_in_vacuum(Interaction& at) {
@@ -112,6 +120,17 @@ bool Tracer::intersect(Interaction& at) {
         return false;
     }
     complete_hit(state, at);
+    if (at.medium) [[unlikely]]
+        at.weight *= at.medium->weight_left(at.distance);
+    return true;
+}
+
+bool Tracer::meet(int surface, Interaction& at) const {
+    HitState state;
+    const Geometry& geometry = scene_.geometry();
+    if (!geometry.intersect_one(geometry.shape_of(surface), at.ray->origin, at.ray->direction, state))
+        return false;
+    complete_hit(state, at);
     return true;
 }
 
@@ -119,8 +138,7 @@ void Tracer::complete_hit(const HitState& state, Interaction& at) const {
     at.distance = state.distance;
     at.surface = state.surface;
     at.point = at.ray->origin + at.ray->direction * state.distance;
-    at.normal = scene_.geometry().normal(state.shape, at.point);
-    at.flat_shape = Geometry::is_flat(state.shape) ? state.shape : Geometry::no_shape;
+    scene_.geometry().describe(state, at);
     at.cosine = -dot(at.ray->direction, at.normal);
 }
 
@@ -131,7 +149,7 @@ bool Tracer::meet_distant_source(Interaction& at) const {
     };
     if (ray.aimed_source >= 0) {
         const LightSource& aimed = scene_.source(ray.aimed_source);
-        if (aimed.extent != LightSource::Extent::distant || !covers(aimed)) return false;
+        if (!aimed.distant() || aimed.is_virtual() || !covers(aimed)) return false;
         at.surface = aimed.surface;
         return true;
     }
@@ -157,7 +175,9 @@ bool Tracer::meet_distant_source(Interaction& at) const {
 }
 
 void Tracer::shade(Interaction& at) {
-    if (!shade_chain(scene_.finish(at.surface).modifier, at)) pass_through(at);
+    const Finish& finish = scene_.finish(at.surface);
+    const bool removed = at.ray->cut && at.ray->cut->removes(finish.primitive);
+    if (removed || !shade_chain(finish.modifier, at)) pass_through(at);
 }
 
 bool Tracer::shade_chain(const Modifier* chain, Interaction& at) {
@@ -200,25 +220,51 @@ void Tracer::pass_through(Interaction& at) {
     at.direct_distance = at.distance + beyond.direct_distance;
 }
 
+void Tracer::pass_into(const Medium* beyond, Interaction& at) {
+    const Spectrum unchanged(at.channels(), 1.0f);
+    Ray child(at.channels());
+    if (!spawn(child, through_ray, at, &unchanged)) return;
+    child.direction = at.ray->direction;
+    child.medium = beyond;
+    Interaction seen(child);
+    SkyView sky(at.sky ? at.channels() : 1);
+    if (at.sky) seen.sky = &sky;
+    trace(seen);
+    if (at.sky) {
+        at.sky->radiance.add_product(sky.radiance, child.coefficient);
+        at.sky->share.add_product(sky.share, child.coefficient);
+    }
+    at.radiance = seen.radiance * child.coefficient;
+    at.mirrored = seen.mirrored * child.coefficient;
+    at.mirrored_distance = at.distance + seen.mirrored_distance;
+    at.direct_distance = at.distance + seen.direct_distance;
+}
+
 bool Tracer::stack_is_used_up() const {
     return stack_base_ - static_cast<const char*>(__builtin_frame_address(0)) > stack_budget;
 }
 
-bool Tracer::is_flat(const Interaction& at) const { return at.flat_shape != Geometry::no_shape; }
+bool Tracer::is_flat(const Interaction& at) const {
+    if (at.flat_shape == Geometry::no_shape) return false;
+    return !at.placement || !scene_.geometry().is_covered(at.placement);
+}
 
 // From what a material scatters to child rays
 // -----------------------------------------------------------------------------
 
 void Tracer::transport(const Scattering& scattering, Interaction& at) {
     if (scattering.has_through) trace_through(scattering, at);
-    if (at.ray->is(shadow_rays)) return;
+    if (at.ray->is(shadow_rays)) {
+        if (scattering.has_mirror && scattering.relayed_source >= 0) trace_mirror(scattering, at);
+        return;
+    }
     if (at.blackbody) add_thermal_emission(scattering, at);
     if (scattering.has_mirror) trace_mirror(scattering, at);
     if (scattering.pure_specular) return;
     for (int i = 0; i < scattering.lobe_count; ++i)
         if (scattering.lobe_sampled[i]) trace_lobe(*scattering.lobes[i], at);
     add_ambient(scattering.ambient, scattering.normal, false, at);
-    add_ambient(scattering.ambient_through, -scattering.normal, true, at);
+    add_ambient(scattering.ambient_through, -scattering.through_normal, true, at);
     add_direct(scattering, at);
 }
 
@@ -239,7 +285,9 @@ void Tracer::add_thermal_emission(const Scattering& scattering, Interaction& at)
 void Tracer::trace_through(const Scattering& scattering, Interaction& at) {
     Ray child(at.channels());
     if (!spawn(child, through_ray, at, &scattering.through_coefficient)) return;
+    if (scattering.relayed_source >= 0) child.aimed_source = scattering.relayed_source;
     child.direction = scattering.through_direction;
+    if (scattering.changes_medium) child.medium = scattering.medium_beyond;
     Interaction beyond(child);
     SkyView sky(at.sky ? at.channels() : 1);
     if (at.sky) beyond.sky = &sky;
@@ -261,6 +309,7 @@ void Tracer::trace_through(const Scattering& scattering, Interaction& at) {
 void Tracer::trace_mirror(const Scattering& scattering, Interaction& at) {
     Ray child(at.channels());
     if (!spawn(child, mirrored_ray, at, &scattering.mirror_coefficient)) return;
+    child.aimed_source = scattering.relayed_source;
     child.direction = normalize(scattering.mirror_direction);
     Interaction image(child);
     trace(image);
@@ -290,7 +339,7 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     int draws = 0;
     for (int traced = 0; (lobe.redraws ? traced : draws) < count && draws < 10 * count; ++draws) {
         const LobeDraw draw = lobe.sample(random_, draws, count);
-        if (draw.lost > 0 && at.blackbody) {  // not reflected, so absorbed
+        if (draw.lost != 0 && at.blackbody) {  // not reflected, so absorbed
             if (lobe.colored) lobe.tint(draw.wi, tint);
             sum.add_scaled(*at.blackbody * child.coefficient * tint, static_cast<float>(draw.lost));
         }
@@ -318,16 +367,19 @@ bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, cons
         share = std::fmin(coefficient->maximum(), 1.0);  // weights never grow
     }
     child.parent = &from;
-    child.leaving = from.flat_shape;
+    child.leaving = {from.flat_shape, from.placement};
     child.origin = from.point;
     child.kind = kind;
     child.lineage = parent.lineage | kind;
     child.level = parent.level;
     child.ambient_level = parent.ambient_level;
     child.aimed_source = parent.aimed_source;
+    child.past_obstacles = parent.past_obstacles;
     child.fore = parent.fore;
     child.path_before = parent.path_before + from.distance;
     child.shadow_before = parent.is(shadow_rays) ? parent.shadow_before + from.distance : 0.0;
+    child.medium = from.medium;
+    child.cut = kind & turning_rays ? parent.cut : from.cut_beyond;
     if (kind & turning_rays) {
         ++child.level;
         child.aimed_source = -1;

@@ -19,7 +19,9 @@
 
 namespace infra {
 
+class IrradianceCache;
 class Scattering;
+struct SourceAim;
 
 /// Sees every ray once its radiance is known (rtrace -ot and -oT). The parents of `at` are alive and can be
 /// followed.
@@ -37,6 +39,10 @@ class Tracer {
     /// Begins the random stream of a primary ray.
     void start_stream(std::uint64_t index) { random_ = RandomStream(seed_, index); }
     RandomStream& random() { return random_; }
+
+    /// Interpolates diffuse interreflection among values of this cache, and adds new ones; nullptr, as at the start:
+    /// every hemisphere is computed. Threads may share it; it must outlive the tracer.
+    void use_irradiance_cache(IrradianceCache* cache) { irradiance_cache_ = cache; }
 
     /// direction must have unit length; max_distance 0: no limit.
     Ray primary(const Vec3& origin, const Vec3& direction, double max_distance) const;
@@ -73,8 +79,12 @@ class Tracer {
     void apply_patterns(const Modifier* chain, Interaction& at);
     /// Continues the ray behind `at` as if nothing were there.
     void pass_through(Interaction& at);
+    /// The same into another medium: nullptr for none. Ends where the ray has become too light.
+    void pass_into(const Medium* beyond, Interaction& at);
     /// Turns what a material scatters into rays and adds their radiance. at.normal faces the viewer.
     void transport(const Scattering& scattering, Interaction& at);
+    /// Meets one surface alone, whatever stands before it. False if the ray misses it.
+    bool meet(int surface, Interaction& at) const;
     /// Value of a function expression for this hit; see rt/functions/functions.h.
     cal::Evaluator& evaluator() { return evaluator_; }
     bool is_flat(const Interaction& at) const;
@@ -88,6 +98,7 @@ class Tracer {
     bool stack_is_used_up() const;
     bool intersect(Interaction& at);
     bool meet_distant_source(Interaction& at) const;
+    bool view_source(Interaction& at);
     void complete_hit(const HitState& state, Interaction& at) const;
     void shade(Interaction& at);
 
@@ -98,6 +109,16 @@ class Tracer {
     void trace_through(const Scattering& scattering, Interaction& at);
     int lobe_ray_count(const class Lobe& lobe, const Interaction& at) const;
     void trace_lobe(const class Lobe& lobe, Interaction& at);
+
+    // ambient/cached_ambient.cpp
+    friend class HemisphereGatherer;  // ambient/hemisphere_gatherer.h
+    const Spectrum& assumed_ambient(Spectrum& average) const;
+    bool add_cached_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at);
+
+    // volume/participation.cpp
+    void participate(Interaction& at);
+    void add_scattered(int source, Interaction& at);
+    bool light_at_place(int source, double distance, const Interaction& at, Spectrum& result);
 
     // ambient/hemisphere.cpp
     struct Hemisphere;
@@ -111,8 +132,7 @@ class Tracer {
     // sources/direct.cpp
     void add_direct(const Scattering& scattering, Interaction& at);
     void consider_source(int source, const Scattering& scattering, const Interaction& at);
-    void add_sample(int source, const Scattering& scattering, const Interaction& at, const Vec3& offset,
-                    double share);
+    void add_sample(int source, const SourceAim& aim, const Scattering& scattering, const Interaction& at);
     bool source_value(Contribution& contribution, const Interaction& at);
     bool test_shadow(Contribution& contribution, const Interaction& at);
 
@@ -121,6 +141,7 @@ class Tracer {
     std::uint64_t seed_;
     RandomStream random_;
     cal::Evaluator evaluator_;
+    IrradianceCache* irradiance_cache_ = nullptr;
     RayObserver* observer_ = nullptr;
     bool observe_shadows_ = false;
     const char* stack_base_ = nullptr;  // where the primary ray under way was started

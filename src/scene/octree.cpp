@@ -19,10 +19,15 @@ std::size_t hash_of(std::span<const PrimitiveId> set) {
 
 }  // namespace
 
+bool Octree::same_leaf(OctreeNode a, OctreeNode b) const {
+    return a == b ||
+           (sets_ == Sets::separate && is_leaf(a) && is_leaf(b) && std::ranges::equal(set(a), set(b)));
+}
+
 OctreeNode Octree::add_inner(std::span<const OctreeNode, 8> children) {
     const OctreeNode first = children[0];
     const bool uniform =
-        !is_inner(first) && std::ranges::all_of(children, [&](OctreeNode c) { return c == first; });
+        !is_inner(first) && std::ranges::all_of(children, [&](OctreeNode c) { return same_leaf(c, first); });
     if (uniform) return first;
     children_.insert(children_.end(), children.begin(), children.end());
     return static_cast<OctreeNode>(children_.size() / 8 - 1);
@@ -47,16 +52,19 @@ void Octree::grow_table() {
         table_[slot_of(set(leaf_of(i)))] = static_cast<std::int32_t>(i);
 }
 
+OctreeNode Octree::append_leaf(std::span<const PrimitiveId> set) {
+    members_.insert(members_.end(), set.begin(), set.end());
+    set_begin_.push_back(static_cast<std::uint32_t>(members_.size()));
+    return leaf_of(set_begin_.size() - 2);
+}
+
 OctreeNode Octree::add_leaf(std::span<const PrimitiveId> wanted) {
     if (wanted.empty()) return empty_node;
+    if (sets_ == Sets::separate) return append_leaf(wanted);
     if (2 * set_begin_.size() > table_.size()) grow_table();
     const std::size_t slot = slot_of(wanted);
-    if (table_[slot] == free_slot) {
-        table_[slot] = static_cast<std::int32_t>(set_begin_.size() - 1);
-        members_.insert(members_.end(), wanted.begin(), wanted.end());
-        set_begin_.push_back(static_cast<std::uint32_t>(members_.size()));
-    }
-    return leaf_of(table_[slot]);
+    if (table_[slot] == free_slot) table_[slot] = static_cast<std::int32_t>(set_of(append_leaf(wanted)));
+    return leaf_of(static_cast<std::size_t>(table_[slot]));
 }
 
 }  // namespace infra

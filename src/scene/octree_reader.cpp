@@ -1,102 +1,28 @@
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <memory>
 
-#include "common/parse_number.h"
 #include "scene/byte_reader.h"
 #include "scene/command_pipe.h"
 #include "scene/octree_file.h"
 #include "scene/octree_format.h"
+#include "scene/octree_section.h"
 #include "scene/rad_reader.h"
 #include "scene/scene_section.h"
 
 namespace infra {
 namespace {
 
-constexpr std::size_t longest_header_line = 1 << 16;
 constexpr std::size_t longest_file_name = 4096;
-constexpr int largest_id_size = 8;
-constexpr int deepest_tree = 64;
 constexpr std::int64_t most_primitives = 1 << 28;
 
-using FileHandle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-FileHandle open_file(const std::string& path, const char* kind) {
-    FileHandle file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file)
-        throw Error(std::string("cannot open ") + kind + " file \"" + path + "\": " + std::strerror(errno));
-    return file;
-}
-
-/// Lines up to the empty one. throws Error if they say that the file is something else.
-std::vector<std::string> read_header(ByteReader& in, std::string_view format, const std::string& kind) {
-    std::vector<std::string> lines;
-    bool formatted = false;
-    for (std::string line = in.line(longest_header_line); !line.empty() && line != "\r";
-         line = in.line(longest_header_line)) {
-        if (lines.empty() && (line[0] < ' ' || line[0] > '~')) in.fail("this is no " + kind);
-        if (!line.starts_with(format_key)) {
-            lines.push_back(std::move(line));
-            continue;
-        }
-        std::string found = line.substr(format_key.size());
-        found.erase(found.find_last_not_of(" \r\t") + 1);
-        formatted = true;
-        if (found != format) in.fail("this is no " + kind + " but a file of format " + found);
-    }
-    if (!formatted) in.fail("this is no " + kind);
-    return lines;
-}
-
-Cube read_cube(ByteReader& in) {
-    double values[4];
-    for (double& value : values)
-        if (!parse_real(in.string(64), value)) in.fail_damaged("its cube is no number");
-    if (values[3] < 0) in.fail_damaged("its cube has a negative size");
-    return {{values[0], values[1], values[2]}, values[3]};
-}
-
-int read_id_size(ByteReader& in, int magic, const std::string& kind) {
-    const auto size = in.integer(2) - magic;
-    if (size < 1 || size > largest_id_size) in.fail("incompatible " + kind + " format");
-    return int(size);
-}
-
-/// Reads, checks and (if asked) keeps the tree. Its members must be below `count`.
-class TreeReader {
+/// Checks the members, which must be below `count`, and (if asked) keeps the tree.
+class MemberCheck : public TreeVisitor {
   public:
-    TreeReader(ByteReader& in, int id_size, std::int64_t count, Octree* keep)
-        : in_(in), id_size_(id_size), count_(count), keep_(keep) {}
+    MemberCheck(const ByteReader& in, std::int64_t count, Octree* keep)
+        : in_(in), count_(count), keep_(keep) {}
 
-    OctreeNode read(int level = 0) {
-        switch (in_.byte()) {
-            case OctreeTag::empty:
-                return empty_node;
-            case OctreeTag::leaf:
-                return read_leaf();
-            case OctreeTag::inner: {
-                if (level == deepest_tree) in_.fail_damaged("cells are nested too deep");
-                std::array<OctreeNode, 8> children;
-                for (OctreeNode& child : children) child = read(level + 1);
-                return keep_ ? keep_->add_inner(children) : empty_node;
-            }
-            default:
-                in_.fail_damaged("a cell of no kind");
-        }
-    }
-
-    /// Whether any cell holds this primitive.
-    bool holds(PrimitiveId id) const { return std::size_t(id) < held_.size() && held_[std::size_t(id)]; }
-
-  private:
-    OctreeNode read_leaf() {
-        const auto size = in_.integer(id_size_);
-        if (size < 0 || size > std::int64_t(Octree::largest_set)) in_.fail_damaged("a set of senseless size");
+    OctreeNode leaf(std::span<const std::int64_t> members) override {
         set_.clear();
-        for (std::int64_t i = 0; i < size; ++i) {
-            const auto id = in_.integer(id_size_);
+        for (const std::int64_t id : members) {
             if (id < 0 || id >= count_) in_.fail_damaged("a cell holds a primitive that does not exist");
             if (std::size_t(id) >= held_.size()) held_.resize(std::size_t(id) + 1);
             held_[std::size_t(id)] = true;
@@ -106,16 +32,22 @@ class TreeReader {
         std::ranges::sort(set_);
         return keep_->add_leaf(set_);
     }
+    OctreeNode inner(std::span<const OctreeNode, 8> children) override {
+        return keep_ ? keep_->add_inner(children) : empty_node;
+    }
 
-    ByteReader& in_;
-    int id_size_;
+    /// Whether any cell holds this primitive.
+    bool holds(PrimitiveId id) const { return std::size_t(id) < held_.size() && held_[std::size_t(id)]; }
+
+  private:
+    const ByteReader& in_;
     std::int64_t count_;
     Octree* keep_;
     std::vector<PrimitiveId> set_;
     std::vector<bool> held_;  // by primitive
 };
 
-void check_members(ByteReader& in, const Scene& scene, const TreeReader& tree) {
+void check_members(ByteReader& in, const Scene& scene, const MemberCheck& tree) {
     for (PrimitiveId id = 0; id < scene.size(); ++id)
         if (tree.holds(id) && !scene.type_info(id).is_geometry())
             in.fail("a cell holds the " + std::string(scene.type_info(id).name) + " \"" +
@@ -124,7 +56,7 @@ void check_members(ByteReader& in, const Scene& scene, const TreeReader& tree) {
 
 OctreeFile read_octree(ByteReader& in, const WarningSink& warn, OctreePart part) {
     OctreeFile file;
-    file.header = read_header(in, octree_format, "octree");
+    file.header = read_section_header(in, octree_format, "octree");
     const int id_size = read_id_size(in, octree_magic, "octree");
     file.cube = read_cube(in);
     for (auto name = in.string(longest_file_name); !name.empty(); name = in.string(longest_file_name))
@@ -132,8 +64,8 @@ OctreeFile read_octree(ByteReader& in, const WarningSink& warn, OctreePart part)
     file.frozen = file.scene_files.empty();
     const std::int64_t count = in.integer(id_size);
     if (count < 0 || count > most_primitives) in.fail_damaged("a senseless number of primitives");
-    TreeReader tree(in, id_size, count, part == OctreePart::tree ? &file.tree : nullptr);
-    file.tree.root = tree.read();
+    MemberCheck tree(in, count, part == OctreePart::tree ? &file.tree : nullptr);
+    file.tree.root = read_tree(in, id_size, tree);
 
     if (file.frozen) {
         read_scene_section(in, file.scene, id_size);
@@ -165,23 +97,23 @@ OctreeFile load_octree(const std::string& spec, const WarningSink& warn, OctreeP
         if (!pipe.close()) warn("bad status from " + title);
         return file;
     }
-    const FileHandle stream = open_file(spec, "octree");
+    const FileHandle stream = open_scene_file(spec, "octree");
     ByteReader in(stream.get(), spec, "octree");
     return read_octree(in, warn, part);
 }
 
 Cube read_octree_cube(const std::string& path) {
-    const FileHandle stream = open_file(path, "octree");
+    const FileHandle stream = open_scene_file(path, "octree");
     ByteReader in(stream.get(), path, "octree");
-    read_header(in, octree_format, "octree");
+    read_section_header(in, octree_format, "octree");
     read_id_size(in, octree_magic, "octree");
     return read_cube(in);
 }
 
 Cube read_mesh_cube(const std::string& path) {
-    const FileHandle stream = open_file(path, "mesh");
+    const FileHandle stream = open_scene_file(path, "mesh");
     ByteReader in(stream.get(), path, "mesh");
-    read_header(in, mesh_format, "mesh");
+    read_section_header(in, mesh_format, "mesh");
     read_id_size(in, mesh_magic, "mesh");
     return read_cube(in);
 }

@@ -65,9 +65,13 @@ void read_scene_section(ByteReader& in, Scene& scene, int id_size) {
 }
 
 void write_scene_section(ByteWriter& out, const Scene& scene) {
+    write_scene_section(out, scene, scene.size());
+}
+
+void write_scene_section(ByteWriter& out, const Scene& scene, PrimitiveId count) {
     std::array<int, primitive_type_count> number;  // in this file, by type
     std::array<bool, primitive_type_count> used{};
-    for (PrimitiveId id = 0; id < scene.size(); ++id) used[static_cast<std::size_t>(scene.type(id))] = true;
+    for (PrimitiveId id = 0; id < count; ++id) used[static_cast<std::size_t>(scene.type(id))] = true;
     int next = 0;
     for (const PrimitiveInfo& row : primitive_types()) {
         const auto type = static_cast<std::size_t>(row.type);
@@ -77,7 +81,7 @@ void write_scene_section(ByteWriter& out, const Scene& scene) {
     }
     out.string("");
 
-    for (PrimitiveId id = 0; id < scene.size(); ++id) {
+    for (PrimitiveId id = 0; id < count; ++id) {
         const auto strings = scene.strings(id);
         const auto reals = scene.reals(id);
         if (std::max(strings.size(), reals.size()) > most_arguments)

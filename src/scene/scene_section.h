@@ -20,5 +20,7 @@ inline constexpr int written_id_size = 4;
 /// used.
 ///   throws  Error for a primitive with more than 32767 arguments of one sort, which the format cannot hold
 void write_scene_section(ByteWriter& out, const Scene& scene);
+/// The same for the first `count` primitives.
+void write_scene_section(ByteWriter& out, const Scene& scene, PrimitiveId count);
 
 }  // namespace infra

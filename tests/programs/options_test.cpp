@@ -163,13 +163,19 @@ TEST(Options, filters_keep_the_last_kind) {
     EXPECT_EQ(parsed.options.tree_filter.mode, NameFilter::Mode::include);
 }
 
-TEST(Options, of_mist_blur_and_channels_are_taken_when_they_ask_for_nothing) {
-    EXPECT_EQ(refusal<RpictOptions>(
-                  {"-me", "0", "0", "0", "-ms", "0", "-pm", "0", "-pd", "0", "-cs", "3", "-dr", "3"}),
-              "taken");
-    EXPECT_EQ(refusal<RpictOptions>({"-me", "0", ".1", "0"}),
-              "command line error at '-me 0 .1 0': value is not supported "
-              "(participating media are not built yet, only 0 is taken)");
+TEST(Options, of_mist_are_numbers_of_any_size) {
+    const Parsed<RpictOptions> parsed(
+        {"-me", "0", "1e-9", "2e9", "-ma", ".1", ".2", ".3", "-mg", ".4", "-ms", "5"});
+    const RenderSettings& settings = parsed.options.render.settings;
+    EXPECT_EQ(settings.extinction[1], 1e-9f);
+    EXPECT_EQ(settings.extinction[2], 2e9f);
+    EXPECT_EQ(settings.scattering_albedo[2], .3f);
+    EXPECT_EQ(settings.scattering_eccentricity, .4);
+    EXPECT_EQ(settings.medium_step, 5);
+}
+
+TEST(Options, of_blur_and_channels_are_taken_when_they_ask_for_nothing) {
+    EXPECT_EQ(refusal<RpictOptions>({"-pm", "0", "-pd", "0", "-cs", "3", "-dr", "3"}), "taken");
     EXPECT_EQ(refusal<RpictOptions>({"-pm", ".5"}),
               "command line error at '-pm .5': value is not supported (motion blur is not built yet, only 0 "
               "is taken)");
@@ -221,7 +227,7 @@ TEST(Options, that_radiance_has_and_we_have_not_are_refused_by_name) {
         EXPECT_TRUE(text.starts_with("command line error at '" + option + "': option is not supported ("))
             << text;
     };
-    for (const char* option : {"-ap", "-am", "-af", "-P", "-PP"}) {
+    for (const char* option : {"-ap", "-am", "-P", "-PP"}) {
         expect_refused(refusal<RpictOptions>({option}), option);
         expect_refused(refusal<RtraceOptions>({option}), option);
     }

@@ -108,7 +108,7 @@ TEST_F(Surroundings, a_signal_ends_even_a_long_pixel) {
                  "paint bubble room 0 0 4 0 0 0 9\n");
     ASSERT_EQ(test::run(folder, "oconv room.rad > room.oct").status, 0);
     const Outcome ended = test::run(folder,
-                                    "rpict -w -x 1 -y 1 -ab 50 -ad 100000000 -lw 0 -o p.hdr room.oct & "
+                                    "rpict -w -x 1 -y 1 -ab 50 -aa 0 -ad 100000000 -lw 0 -o p.hdr room.oct & "
                                     "sleep .5; kill $!; wait $!");
     EXPECT_EQ(ended.status, 128 + 15) << ended.err;
     EXPECT_FALSE(folder.has("p.hdr"));

@@ -25,10 +25,15 @@ void expect_refusal(const std::string& text, int line, const std::string& what) 
 
 const std::string ball = "\nm sphere ball 0 0 4 0 0 0 1\n";
 
-TEST(BadInput, TypesWithoutShading) {
-    expect_refusal("\nvoid dielectric m 0 0 5 1 1 1 1.5 0" + ball, 2,
-                   "type \"dielectric\" is not supported yet");
-    expect_refusal("void mist m 0 0 0" + ball, 1, "type \"mist\" is not supported yet");
+TEST(BadInput, BodiesAndMedia) {
+    expect_refusal("\nvoid dielectric m 0 0 5 1 1 1 0 0" + ball, 2, "refractive index must be above 0");
+    expect_refusal("void dielectric m 0 0 5 1 1 1 1.5 -800" + ball, 1, "with its dispersion must be above 0");
+    expect_refusal("void interface m 0 0 8 1 1 1 1.5 1 1 1 -1" + ball, 1, "refractive index must be above 0");
+    expect_refusal("void mist m 0 0 4 1 1 1 1" + ball, 1, "4 real arguments where 0, 3, 6 or 7 are needed");
+    std::string many = "void mist m 33";
+    for (int i = 0; i < 33; ++i) many += " s";
+    expect_refusal(many + " 0 0" + ball, 1, "more than 32 light sources");
+    expect_refusal("void antimatter m 0 0 0" + ball, 1, "at least 1");
 }
 
 TEST(BadInput, UnusedDefinitionsMayBeAnything) {
@@ -199,6 +204,38 @@ TEST(BadInput, LightSources) {
 
 TEST(BadInput, GlassThinnerThanAir) {
     expect_refusal("void glass m 0 0 4 1 1 1 .9" + ball, 1, "refractive index must be at least 1");
+}
+
+TEST(BadInput, OrientedMaterials) {
+    expect_refusal("void plastic2 m 4 1 0 0 . 0 6 1 1 1 .1 0 .2" + ball, 1, "roughness too small");
+    expect_refusal("void trans2 m 4 1 0 0 . 0 8 1 1 1 .1 .2 -.2 .5 .5" + ball, 1, "roughness too small");
+    expect_refusal("void metal2 m 3 1 0 0 0 6 1 1 1 .1 .1 .2" + ball, 1, "where at least 4 are needed");
+    expect_refusal("void metal2 m 4 1 0 0 no_such.cal 0 6 1 1 1 .1 .1 .2" + ball, 1, "no_such.cal");
+    expect_refusal("void metal2 m 5 1 0 0 . -rx 0 6 1 1 1 .1 .1 .2" + ball, 1, "bad transform");
+    expect_refusal("void ashik2 m 4 1 0 0 . 0 8 .1 .1 .1 .1 .1 .1 -1 5" + ball, 1, "must not be negative");
+}
+
+TEST(BadInput, Texts) {
+    const test::TemporaryFolder folder;
+    test::write_file(folder / "good.fnt", "65 3 0 0 255 0 128 255\n");
+    test::write_file(folder / "bad.fnt", "65 3 0 0 255 0 128 255\n65 0\n");
+    const std::string font = folder / "good.fnt", steps = " 0 11 0 0 0 1 0 0 0 -1 0 1 .5",
+                      tail = " t plastic m 0 0 5 1 1 1 0 0" + ball;
+    expect_refusal("void brighttext t 3 no_such.fnt . A" + steps + tail, 1,
+                   "cannot find font \"no_such.fnt\"");
+    expect_refusal("void brighttext t 2 " + font + " no_such.txt" + steps + tail, 1,
+                   "cannot find text file \"no_such.txt\"");
+    expect_refusal("void brighttext t 3 " + font + " . A 0 10 0 0 0 1 0 0 0 -1 0 1" + tail, 1,
+                   "10 real arguments");
+    expect_refusal("void brighttext t 3 " + font + " . A 0 11 0 0 0 1 0 0 2 0 0 1 .5" + tail, 1,
+                   "illegal motion vector");
+    expect_refusal("void brighttext t 3 " + font + " . A 0 12 0 0 0 1 0 0 0 -1 0 1 .5 1e30" + tail, 1,
+                   "line of text is too long");
+    expect_refusal("void mixtext m 5 a void " + font + " . A 0 9 0 0 0 1 0 0 0 -1 0" + ball, 1,
+                   "undefined modifier \"a\"");
+    const std::string message =
+        refusal("void brighttext t 3 " + (folder / "bad.fnt") + " . A" + steps + tail);
+    EXPECT_NE(message.find("bad.fnt:2: character 65 stands twice"), std::string::npos) << message;
 }
 
 TEST(BadInput, SettingsThatWouldNeverEnd) {

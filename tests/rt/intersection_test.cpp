@@ -95,9 +95,8 @@ class RandomShapes : public testing::Test {
         // and what shadow rays ask
         using View = Geometry::View;
         const Geometry& geometry = scene_.compiled().geometry();
-        EXPECT_EQ(geometry.view(origin, direction, found.distance * (1 - 1e-9), Geometry::no_shape),
-                  View::clear);
-        EXPECT_EQ(geometry.view(origin, direction, found.distance + 1e-3, Geometry::no_shape), View::blocked);
+        EXPECT_EQ(geometry.view(origin, direction, found.distance * (1 - 1e-9), {}), View::clear);
+        EXPECT_EQ(geometry.view(origin, direction, found.distance + 1e-3, {}), View::blocked);
     }
 
     static constexpr int shape_count = 2000;

@@ -77,7 +77,7 @@ class TracedScene {
     /// What a ray meets first.
     HitState nearest(const Vec3& origin, const Vec3& direction) const {
         HitState state;
-        compiled_->geometry().intersect(origin, direction, Geometry::no_shape, state);
+        compiled_->geometry().intersect(origin, direction, {}, state);
         return state;
     }
     /// Radiance along one ray, with a random stream of its own.

@@ -5,8 +5,7 @@
 
 #include "common/error.h"
 #include "common/format.h"
-#include "common/parse_number.h"
-#include "common/text.h"
+#include "common/number_text.h"
 #include "common/text_file.h"
 
 namespace infra {
@@ -14,69 +13,7 @@ namespace {
 
 constexpr long long most_values = 1LL << 30;
 
-class DataText {
-  public:
-    DataText(std::string_view text, const std::string& name) : text_(text), name_(name) {}
-
-    /// False when there is no further word.
-    bool at_end() {
-        skip_blanks_and_comments();
-        return at_ == text_.size();
-    }
-    /// The next number; `what` says what it should be, for the error when there is none.
-    double real(const std::string& what) {
-        const std::string_view word = next_word(what);
-        double number = 0;
-        if (!parse_real(word, number)) throw no_number(word, "expected a number");
-        return number;
-    }
-    long long integer(const std::string& what) {
-        const std::string_view word = next_word(what);
-        long long number = 0;
-        if (!parse_int(word, number)) throw no_number(word, "expected " + what);
-        return number;
-    }
-    /// About the number read last.
-    Error error(const std::string& message, std::string_view hint = {}) const {
-        return Error(Location{name_, word_line_}, message, hint);
-    }
-
-  private:
-    void skip_blanks_and_comments() {
-        while (at_ < text_.size()) {
-            if (text_[at_] == '#') {
-                at_ = std::min(text_.find('\n', at_), text_.size());
-            } else if (is_blank(text_[at_])) {
-                line_ += text_[at_++] == '\n';
-            } else {
-                return;
-            }
-        }
-    }
-
-    std::string_view next_word(const std::string& what) {
-        if (at_end()) throw error("the file ends before " + what);
-        word_line_ = line_;
-        const std::size_t start = at_;
-        while (at_ < text_.size() && !is_blank(text_[at_]) && text_[at_] != '#') ++at_;
-        return text_.substr(start, at_ - start);
-    }
-
-    Error no_number(std::string_view word, const std::string& expected) const {
-        constexpr std::size_t longest = 24;
-        const std::string shown = one_line(word.substr(0, longest)) + (word.size() > longest ? "..." : "");
-        return error(expected + ", found \"" + shown + "\"",
-                     word.find(',') != word.npos ? "numbers are separated by blanks, not commas" : "");
-    }
-
-    std::string_view text_;
-    const std::string& name_;
-    std::size_t at_ = 0;
-    int line_ = 1;
-    int word_line_ = 1;
-};
-
-std::vector<double> read_places(DataText& text, long long count, std::size_t axis) {
+std::vector<double> read_places(NumberText& text, long long count, std::size_t axis) {
     std::vector<double> places;
     for (long long i = 0; i < count; ++i) {
         const double place = text.real(formatted("place %lld of dimension %zu", i + 1, axis));
@@ -93,7 +30,7 @@ std::vector<double> read_places(DataText& text, long long count, std::size_t axi
 }
 
 /// axis: from 1, for messages.
-DataAxis read_axis(DataText& text, std::size_t axis) {
+DataAxis read_axis(NumberText& text, std::size_t axis) {
     const std::string name = formatted(" of dimension %zu", axis);
     const double begin = text.real("the begin" + name);
     const double end = text.real("the end" + name);
@@ -105,7 +42,7 @@ DataAxis read_axis(DataText& text, std::size_t axis) {
     return DataAxis(begin, end, static_cast<std::size_t>(count));
 }
 
-std::vector<float> read_values(DataText& text, const std::vector<DataAxis>& axes) {
+std::vector<float> read_values(NumberText& text, const std::vector<DataAxis>& axes) {
     std::string shape;
     long long count = 1;
     for (const DataAxis& axis : axes) {
@@ -129,7 +66,7 @@ std::vector<float> read_values(DataText& text, const std::vector<DataAxis>& axes
 }  // namespace
 
 DataTable parse_data(std::string_view content, const std::string& name) {
-    DataText text(content, name);
+    NumberText text(content, name);
     const long long dimensions = text.integer("the number of dimensions");
     if (dimensions < 1 || dimensions > static_cast<long long>(DataTable::most_dimensions))
         throw text.error(formatted("the number of dimensions is %lld", dimensions),

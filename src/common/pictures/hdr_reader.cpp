@@ -7,25 +7,16 @@
 #include "common/parse_number.h"
 #include "common/pictures/picture.h"
 #include "common/pictures/rgbe.h"
+#include "common/pictures/scan_order.h"
 #include "common/pictures/spectral_header.h"
 
 namespace infra {
 namespace {
 
 constexpr std::size_t longest_header = 1 << 22;  // bytes
-constexpr int most_pixels_a_side = 1 << 20;
 constexpr long long longest_scanline = 1 << 26;  // bytes
 constexpr int most_channels = 4096;
 constexpr long long most_values = 1LL << 30;
-
-/// The resolution line: which axis the scanlines step along, and which way each axis runs.
-struct Resolution {
-    int width = 0, height = 0;
-    bool y_major = true, x_decreases = false, y_decreases = true;
-
-    int scanline_length() const { return y_major ? width : height; }
-    int scanline_count() const { return y_major ? height : width; }
-};
 
 class HdrReader {
   public:
@@ -34,7 +25,7 @@ class HdrReader {
     Picture read() {
         Picture picture;
         read_header(picture);
-        const Resolution size = read_resolution();
+        const ScanOrder size = read_order();
         picture.width = size.width;
         picture.height = size.height;
         if (1LL * size.width * size.height > most_values / picture.channels)
@@ -110,26 +101,13 @@ class HdrReader {
         }
     }
 
-    Resolution read_resolution() {
+    ScanOrder read_order() {
         std::string text;
-        const bool complete = line(text);
-        const auto words = split_words(text);
-        Resolution size;
-        const auto axis = [](const std::string& word, char letter) {
-            return word.size() == 2 && (word[0] == '-' || word[0] == '+') && word[1] == letter;
-        };
-        const bool y_first = words.size() == 4 && axis(words[0], 'Y') && axis(words[2], 'X');
-        const bool x_first = words.size() == 4 && axis(words[0], 'X') && axis(words[2], 'Y');
-        if (!complete || !(y_first || x_first))
-            fail("bad picture: no resolution line such as \"-Y 480 +X 640\"");
-        const int y = y_first ? 0 : 2, x = 2 - y;
-        size.y_major = y_first;
-        size.y_decreases = words[y][0] == '-';
-        size.x_decreases = words[x][0] == '-';
-        if (!parse_int(words[y + 1], size.height) || !parse_int(words[x + 1], size.width) ||
-            std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > most_pixels_a_side)
+        const auto order = line(text) ? parse_scan_order(text) : std::nullopt;
+        if (order) return *order;
+        if (is_resolution_line(text))
             fail("bad picture: illegal resolution \"" + text + "\"");
-        return size;
+        fail("bad picture: no resolution line such as \"-Y 480 +X 640\"");
     }
 
     void read_scanline(std::vector<std::uint8_t>& bytes, int length, int channels) {
@@ -190,19 +168,16 @@ class HdrReader {
         }
     }
 
-    static std::vector<float> in_standard_order(std::vector<float> scans, const Resolution& size,
+    static std::vector<float> in_standard_order(std::vector<float> scans, const ScanOrder& order,
                                                 int channels) {
-        if (size.y_major && size.y_decreases && !size.x_decreases) return scans;
+        if (order.is_standard()) return scans;
         std::vector<float> pixels(scans.size());
-        for (int scan = 0; scan < size.scanline_count(); ++scan) {
-            for (int step = 0; step < size.scanline_length(); ++step) {
-                int x = size.y_major ? step : scan;
-                int row = size.y_major ? scan : step;
-                if (size.x_decreases) x = size.width - 1 - x;
-                if (!size.y_decreases) row = size.height - 1 - row;
-                const std::size_t from = std::size_t(scan) * size.scanline_length() + step;
-                const std::size_t to = std::size_t(row) * size.width + x;
-                std::copy_n(&scans[from * channels], channels, &pixels[to * channels]);
+        std::size_t from = 0;
+        for (int scan = 0; scan < order.scanline_count(); ++scan) {
+            for (int step = 0; step < order.scanline_length(); ++step, from += channels) {
+                const PixelPlace place = order.place(scan, step);
+                const std::size_t to = std::size_t(place.row) * order.width + place.column;
+                std::copy_n(&scans[from], channels, &pixels[to * channels]);
             }
         }
         return pixels;

@@ -1,12 +1,13 @@
 // Diffuse interreflection: a hemisphere of rays over every point, stratified in equal projected solid angles.
-// (There is no cache of such values yet: this is RADIANCE with -aa 0.)
+// This is RADIANCE with -aa 0; cached_ambient.cpp stands before it where values are interpolated.
 //
 // source: Shirley & Chiu, "A Low Distortion Map Between Disk and Square", JGT 2 (1997); numbers of rays as
 // RADIANCE 6.1.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "rt/ambient/cosine_direction.h"
+#include "rt/ambient/hemisphere_cells.h"
 #include "rt/scratch.h"
 #include "rt/tracer.h"
 
@@ -16,53 +17,6 @@ namespace {
 constexpr double tiny = 1e-6;
 constexpr int most_divisions = 4096;       // along a side: a hemisphere then has most_samples rays
 constexpr int least_cells_for_extra = 49;  // fewer rays say too little of where the differences are
-
-/// sin and cos of an angle within pi/4 of 0, to 1e-11: their Taylor series.
-void small_sin_cos(double t, double& s, double& c) {
-    const double q = t * t;
-    s = t * (1 + q * (-1.0 / 6 +
-                      q * (1.0 / 120 + q * (-1.0 / 5040 + q * (1.0 / 362880 - q * (1.0 / 39916800))))));
-    c = 1 + q * (-1.0 / 2 +
-                 q * (1.0 / 24 +
-                      q * (-1.0 / 720 + q * (1.0 / 40320 + q * (-1.0 / 3628800 + q * (1.0 / 479001600))))));
-}
-
-/// Direction of the hemisphere around z for a point of the unit square, with density cos / pi.
-Vec3 cosine_direction(double x, double y) {
-    const double a = 2 * x - 1, b = 2 * y - 1;
-    if (a == 0 && b == 0) return {0, 0, 1};
-    const bool wide = std::fabs(a) > std::fabs(b);
-    const double radius = wide ? a : b;
-    double s, c;
-    small_sin_cos((std::numbers::pi / 4) * (wide ? b / a : a / b), s, c);
-    const double height = std::sqrt(std::fmax(0.0, 1 - radius * radius));
-    return wide ? Vec3{radius * c, radius * s, height} : Vec3{radius * s, radius * c, height};
-}
-
-/// Where a cell's neighbours differ from it its value is uncertain: squared differences, relative to
-/// brightness.
-void estimate_variances(std::vector<HemisphereCell>& cells, int n, double norm) {
-    const auto cell = [&](int i, int j) -> HemisphereCell& {
-        return cells[static_cast<std::size_t>(i * n + j)];
-    };
-    const auto compare = [&](int i, int j, int k, int l) {
-        HemisphereCell &a = cell(i, j), &b = cell(k, l);
-        const double difference = a.brightness - b.brightness;
-        const double squared = difference * difference * norm / (a.brightness + b.brightness + tiny);
-        a.variance += static_cast<float>(squared);
-        b.variance += static_cast<float>(squared);
-        ++a.neighbours;
-        ++b.neighbours;
-    };
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-            if (i) compare(i, j, i - 1, j);
-            if (j) compare(i, j, i, j - 1);
-            if (i && j) compare(i, j, i - 1, j - 1);
-        }
-    for (HemisphereCell& c : cells)  // as if all had the six that inner cells have
-        if (c.neighbours) c.variance *= 6.0f / static_cast<float>(c.neighbours);
-}
 
 }  // namespace
 
@@ -83,7 +37,9 @@ void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool o
     const bool computed = settings_.ambient_divisions > 0 &&
                           at.ray->ambient_level < settings_.ambient_bounces &&
                           (at.surface < 0 || scene_.finish(at.surface).in_ambient);
-    if (computed) {
+    if (computed && irradiance_cache_) {
+        if (add_cached_ambient(coefficient, normal, other_side, at)) return;
+    } else if (computed) {
         Hemisphere half{other_side ? through_ambient : reflected_ambient,
                         normal,
                         Vec3{0},
@@ -101,7 +57,8 @@ void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool o
             return;
         }
     }
-    at.radiance.add_product(scene_.ambient_value(), coefficient);
+    Spectrum average(at.channels());
+    at.radiance.add_product(assumed_ambient(average), coefficient);
 }
 
 bool Tracer::spawn_ambient(Hemisphere& half, const Interaction& at) {

@@ -2,6 +2,7 @@
 // all threads.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,11 +12,13 @@
 #include "cal/program.h"
 #include "common/data/air_path.h"
 #include "common/spectra/channels.h"
+#include "rt/compile/scene_part.h"
 #include "rt/compile/surface_table.h"
 #include "rt/geometry/geometry.h"
 #include "rt/modifier.h"
 #include "rt/settings.h"
 #include "rt/sources/light_source.h"
+#include "rt/volume/medium.h"
 #include "scene/scene.h"
 
 namespace infra {
@@ -40,7 +43,8 @@ class CompiledScene {
     int channel_count() const { return channels_.count(); }
     /// -av: radiance assumed where the bounces end.
     const Spectrum& ambient_value() const { return ambient_value_; }
-    const Scene& text() const { return text_; }
+    /// An error about a primitive, which is numbered as surfaces name it.
+    Error error(PrimitiveId number, std::string_view message, std::string_view hint = {}) const;
     const Geometry& geometry() const { return geometry_; }
     const cal::Program& program() const { return *program_; }
     const Surface& surface(int i) const { return surfaces_[i]; }
@@ -61,6 +65,11 @@ class CompiledScene {
     std::string_view modifier_name(int surface) const;
     std::string_view material_name(int surface) const;
 
+    /// What fills the space outside all bodies and mists: -me.
+    const Medium& surroundings() const { return surroundings_; }
+    /// The same where it is something, else nullptr.
+    const Medium* medium() const { return surroundings_.matters() ? &surroundings_ : nullptr; }
+
     /// The air along camera rays, nullptr for none.
     const AirPath* air() const { return air_ ? &*air_ : nullptr; }
 
@@ -73,17 +82,20 @@ class CompiledScene {
   private:
     friend class SceneCompiler;
     CompiledScene() = default;
+    const ScenePart& part_of(PrimitiveId number) const;
     CompiledScene(const CompiledScene&) = delete;
     CompiledScene& operator=(const CompiledScene&) = delete;
 
     Channels channels_;
     Spectrum ambient_value_{3};
-    Scene text_;
+    std::deque<ScenePart> parts_;  ///< the scene itself first
     std::vector<std::unique_ptr<Modifier>> modifiers_;
     std::unique_ptr<Modifier> irradiance_material_;
     SurfaceTable surfaces_;
+    std::vector<std::unique_ptr<Geometry>> contents_;  ///< of instances and meshes
     Geometry geometry_{surfaces_};
     std::optional<AirPath> air_;
+    Medium surroundings_{3};
     std::optional<std::pair<double, double>> band_;
     std::vector<LightSource> sources_;
     std::vector<int> distant_;

@@ -1,4 +1,4 @@
-// Data files and pictures by file: primitives that name the same file share its table.
+// Data files, pictures and fonts by file: primitives that name the same file share its table.
 #pragma once
 
 #include <functional>
@@ -11,6 +11,7 @@
 
 namespace infra {
 
+class Font;
 class ModifierContext;
 
 struct DataCache {
@@ -19,6 +20,7 @@ struct DataCache {
     Tables files;
     Tables color_pictures;
     Tables spectral_pictures;
+    std::map<std::string, std::shared_ptr<const Font>, std::less<>> fonts;
 };
 
 /// The table of a data file, found through RAYPATH.
@@ -30,5 +32,8 @@ std::shared_ptr<const DataTable> shared_picture(ModifierContext& context, std::s
 
 /// A spectral picture over u, v and wavelength.
 std::shared_ptr<const DataTable> shared_spectral_picture(ModifierContext& context, std::string_view name);
+
+/// A font (text/font.h), found and refused as data files are.
+std::shared_ptr<const Font> shared_font(ModifierContext& context, std::string_view name);
 
 }  // namespace infra

@@ -6,15 +6,56 @@ namespace {
 using enum PrimitiveType;
 
 constexpr ModifierRow rows[] = {
-    {plastic, make_plastic},     {metal, make_metal},           {trans, make_trans},
-    {glass, make_glass},         {light, make_light},           {glow, make_glow},
-    {illum, make_illum},         {spotlight, make_spotlight},   {emissive, make_emissive},
-    {thermal, make_thermal},     {nrlbrdf, make_nrlbrdf},       {brightfunc, make_brightfunc},
-    {colorfunc, make_colorfunc}, {brightdata, make_brightdata}, {colordata, make_colordata},
-    {colorpict, make_colorpict}, {spectrum, make_spectrum},     {specfile, make_specfile},
-    {specfunc, make_specfunc},   {specdata, make_specdata},     {specpict, make_specpict},
-    {texfunc, make_texfunc},     {texdata, make_texdata},       {mixfunc, make_mixfunc},
-    {mixdata, make_mixdata},     {mixpict, make_mixpict},
+    {plastic, make_plastic},
+    {metal, make_metal},
+    {trans, make_trans},
+    {glass, make_glass},
+    {light, make_light},
+    {glow, make_glow},
+    {illum, make_illum},
+    {spotlight, make_spotlight},
+    {emissive, make_emissive},
+    {thermal, make_thermal},
+    {nrlbrdf, make_nrlbrdf},
+    {brightfunc, make_brightfunc},
+    {colorfunc, make_colorfunc},
+    {brightdata, make_brightdata},
+    {colordata, make_colordata},
+    {colorpict, make_colorpict},
+    {spectrum, make_spectrum},
+    {specfile, make_specfile},
+    {specfunc, make_specfunc},
+    {specdata, make_specdata},
+    {specpict, make_specpict},
+    {texfunc, make_texfunc},
+    {texdata, make_texdata},
+    {mixfunc, make_mixfunc},
+    {mixdata, make_mixdata},
+    {mixpict, make_mixpict},
+    {dielectric, make_dielectric},
+    {interface, make_interface},
+    {mist, make_mist},
+    {antimatter, make_antimatter},
+    {plasfunc, make_plasfunc},
+    {metfunc, make_metfunc},
+    {transfunc, make_transfunc},
+    {plasdata, make_plasdata},
+    {metdata, make_metdata},
+    {transdata, make_transdata},
+    {BRTDfunc, make_brtdfunc},
+    {mirror, make_mirror},
+    {prism1, make_prism1},
+    {prism2, make_prism2},
+    {plastic2, make_plastic2},
+    {metal2, make_metal2},
+    {trans2, make_trans2},
+    {ashik2, make_ashik2},
+    {brighttext, make_brighttext},
+    {colortext, make_colortext},
+    {mixtext, make_mixtext},
+    {BSDF, make_bsdf},
+    {aBSDF, make_absdf},
+    {WGMDfunc, make_wgmdfunc},
 };
 
 }  // namespace
@@ -29,13 +70,14 @@ const ModifierRow* find_modifier_row(PrimitiveType type) {
 
 std::vector<std::string_view> referenced_modifiers(const Scene& scene, PrimitiveId id) {
     const auto strings = scene.strings(id);
-    std::size_t count = 0;
+    std::size_t count = 0, step = 1;
     switch (scene.type(id)) {
         case alias:
         case illum:
         case mirror:
         case emissive:
         case thermal:
+        case antimatter:  // of the others it only needs to know which they are
             count = 1;
             break;
         case mixfunc:
@@ -44,12 +86,16 @@ std::vector<std::string_view> referenced_modifiers(const Scene& scene, Primitive
         case mixtext:
             count = 2;
             break;
+        case WGMDfunc:
+            count = 9;
+            step = 4;
+            break;
         default:
             break;
     }
     std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < count && i < strings.size(); ++i)
-        if (strings[i] != "void") names.push_back(strings[i]);
+    for (std::size_t i = 0; i < count && i < strings.size(); i += step)
+        if (strings[i] != "void" && strings[i] != "inherit") names.push_back(strings[i]);
     return names;
 }
 

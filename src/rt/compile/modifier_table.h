@@ -23,7 +23,9 @@ struct TableCache;
 class ModifierContext {
   public:
     const Scene& scene;
-    PrimitiveId id;        ///< whose arguments to read; their number has been checked
+    PrimitiveId id;  ///< whose arguments to read; their number has been checked
+    PrimitiveId
+        first_number;      ///< added to one of `scene`: its number among those of the whole scene (ScenePart)
     const Modifier* next;  ///< what modifies it
     const Channels& channels;
     const RenderSettings& settings;

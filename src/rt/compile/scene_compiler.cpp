@@ -1,16 +1,16 @@
-// From primitives to surfaces, modifiers and light sources. Only what surfaces use is compiled, so that a
-// library of materials costs nothing and its unused parts may be incomplete, as in RADIANCE.
-#include <unordered_map>
-#include <unordered_set>
+// From primitives to all that is traced: surfaces, modifiers and shapes of the scene's parts
+// (part_compiler.h, content_loader.h), then what belongs to the scene as a whole, such as its light sources.
+#include <algorithm>
 
 #include "cal/ray_library.h"
 #include "common/raypath.h"
 #include "rt/compile/compiled_scene.h"
-#include "rt/compile/data_cache.h"
-#include "rt/compile/modifier_table.h"
-#include "rt/compile/table_cache.h"
+#include "rt/compile/content_loader.h"
 #include "rt/materials/ward_material.h"
 #include "rt/sources/source_setup.h"
+#include "rt/sources/virtual_sources.h"
+#include "rt/volume/antimatter.h"
+#include "rt/volume/mist.h"
 
 namespace infra {
 
@@ -18,143 +18,71 @@ class SceneCompiler {
   public:
     SceneCompiler(CompiledScene& target, const RenderSettings& settings)
         : out_(target),
-          scene_(target.text_),
-          surfaces_(target.surfaces_.surfaces),
+          scene_(target.parts_.front().text),
           settings_(settings),
-          functions_(cal::make_ray_library()) {}
+          context_{settings,
+                   target.channels_,
+                   target.parts_,
+                   target.surfaces_,
+                   target.modifiers_,
+                   target.contents_,
+                   target.warnings_,
+                   cal::make_ray_library(),
+                   {},
+                   {}} {}
 
     void run(const std::vector<FunctionDefinition>& definitions) {
         for (const FunctionDefinition& definition : definitions) {
             if (definition.is_file)
-                functions_.load_file(definition.text);
+                context_.functions.load_file(definition.text);
             else
-                functions_.define(definition.text, Location{"-e option", 1, 1});
+                context_.functions.define(definition.text, Location{"-e option", 1, 1});
         }
-        find_surfaces();
-        compile_modifiers();
-        make_finishes();
-        add_shapes();
-        make_sources();
-        out_.text_.release_geometry_arguments();
+        const ScenePart& part = out_.parts_.front();
+        const SurfaceRange surfaces = add_surfaces(context_, part);
+        finish_surfaces(context_, part, surfaces);
+        add_shapes(context_, part, surfaces, out_.geometry_);
+        make_sources();  // before the contents of instances come, which add none
+        const std::vector<RelaySurface> relays = find_relays(scene_, out_.surfaces_, out_.warnings_);
+        out_.parts_.front().text.release_geometry_arguments();
+        ContentLoader(context_).place(part, surfaces, out_.geometry_);
+        mark_cut_finishes();
         out_.geometry_.build();
-        out_.program_ = std::make_unique<cal::Program>(functions_.link());
+        out_.program_ = std::make_unique<cal::Program>(context_.functions.link());
         WardParameters white{Spectrum(out_.channel_count(), 3.14159265358979f)};
         if (!settings_.air_path.empty())
             out_.air_ =
                 AirPath::read(require_library_file(settings_.air_path, "air path file"), out_.channels_);
-        out_.band_ = tables_.thermal_bands.common();
-        for (std::string& warning : tables_.thermal_bands.warnings(out_.channels_, out_.air()))
+        out_.band_ = context_.tables.thermal_bands.common();
+        for (std::string& warning : context_.tables.thermal_bands.warnings(out_.channels_, out_.air()))
             out_.warnings_.push_back(std::move(warning));
         const float* ambient = settings_.ambient_value;
         out_.ambient_value_ = out_.channels_.from_rgb(ambient[0], ambient[1], ambient[2]);
         out_.irradiance_material_ = std::make_unique<WardMaterial>("Lambertian", nullptr, white, false);
+        out_.surroundings_ = global_medium(settings_, out_.channels_);
+        add_images(relays);
+        for (const auto& modifier : out_.modifiers_)
+            if (auto* mist = dynamic_cast<Mist*>(modifier.get())) mist->find_sources(out_, out_.warnings_);
     }
 
   private:
-    using Flags = std::vector<char>;
-
-    void find_surfaces() {
-        std::size_t count = 0;
-        for (PrimitiveId id = 0; id < scene_.size(); ++id) count += scene_.type_info(id).is_geometry();
-        surfaces_.reserve(count);
-        for (PrimitiveId id = 0; id < scene_.size(); ++id)
-            if (scene_.type_info(id).is_geometry()) {
-                check_arguments(scene_, id);
-                surfaces_.push_back({.primitive = id});
-            }
-    }
-
-    // Every modifier stands after those it refers to: walking backwards finds all that are used, walking
-    // forwards makes each when its parts are there.
-    void compile_modifiers() {
-        Flags used(static_cast<std::size_t>(scene_.size()));
-        const auto mark = [&](PrimitiveId id) {
-            if (id != void_primitive) used[static_cast<std::size_t>(id)] = 1;
-        };
-        for (const Surface& surface : surfaces_) mark(scene_.modifier(surface.primitive));
-        for (PrimitiveId id = scene_.size() - 1; id >= 0; --id) {
-            if (!used[static_cast<std::size_t>(id)]) continue;
-            const ResolvedModifier resolved = scene_.resolve(id);
-            mark(resolved.modifier);
-            if (resolved.definition == void_primitive) continue;
-            for (const std::string_view name : referenced_modifiers(scene_, resolved.definition))
-                mark(scene_.find_modifier_before(name, resolved.definition));
+    void mark_cut_finishes() {
+        for (const auto& modifier : out_.modifiers_) {
+            const auto* antimatter = dynamic_cast<const Antimatter*>(modifier.get());
+            if (!antimatter) continue;
+            for (const PrimitiveId cut : antimatter->modifiers())
+                for (Finish& finish : out_.surfaces_.finishes)
+                    if (finish.primitive == cut) finish.may_be_cut = true;
         }
-        made_.assign(static_cast<std::size_t>(scene_.size()), nullptr);
-        for (PrimitiveId id = 0; id < scene_.size(); ++id)
-            if (used[static_cast<std::size_t>(id)] && scene_.type_info(id).is_modifier())
-                made_[static_cast<std::size_t>(id)] = compile(id);
-    }
-
-    const Modifier* made(PrimitiveId id) const {
-        return id == void_primitive ? nullptr : made_[static_cast<std::size_t>(id)];
-    }
-
-    // An alias is what it stands for, under its own modifier.
-    const Modifier* compile(PrimitiveId id) {
-        const ResolvedModifier resolved = scene_.resolve(id);
-        const Modifier* next = made(resolved.modifier);
-        const PrimitiveId what = resolved.definition;
-        if (what == void_primitive) return next;
-        check_arguments(scene_, what);
-        const ModifierRow* row = find_modifier_row(scene_.type(what));
-        if (!row)
-            throw scene_.error(what,
-                               "type \"" + std::string(name(scene_.type(what))) + "\" is not supported yet",
-                               "the renderer knows its arguments but not its shading");
-        ModifierContext context{scene_,     what,    next,  out_.channels_, settings_,
-                                functions_, tables_, data_, made_,          out_.warnings_};
-        out_.modifiers_.push_back(row->make(context));
-        const Modifier* made = out_.modifiers_.back().get();
-        check_patterns(what, made);
-        return made;
-    }
-
-    // What modifies a material may only be patterns and textures.
-    void check_patterns(PrimitiveId id, const Modifier* modifier) const {
-        if (!modifier->traits() || modifier->traits()->is_mixture) return;
-        if (const Modifier* other = Modifier::material_of(modifier->next()))
-            throw scene_.error(id,
-                               "conflicting material \"" + std::string(other->name()) + "\" as its modifier",
-                               "a material is modified by patterns and textures only");
-    }
-
-    void make_finishes() {
-        const std::unordered_set<std::string_view> names(settings_.ambient_filter.names.begin(),
-                                                         settings_.ambient_filter.names.end());
-        std::unordered_map<PrimitiveId, std::int32_t> finish_of;
-        for (Surface& surface : surfaces_) {
-            const PrimitiveId modifier = scene_.modifier(surface.primitive);
-            const auto [known, is_new] =
-                finish_of.try_emplace(modifier, static_cast<std::int32_t>(out_.surfaces_.finishes.size()));
-            surface.finish = known->second;
-            if (!is_new) continue;
-            Finish finish{.primitive = modifier, .modifier = made(modifier)};
-            if (const Modifier* material = Modifier::material_of(finish.modifier))
-                finish.material = material->traits();
-            if (settings_.ambient_filter.mode != NameFilter::Mode::none) {
-                const bool named = modifier != void_primitive && names.contains(scene_.name(modifier));
-                finish.in_ambient = named == (settings_.ambient_filter.mode == NameFilter::Mode::include);
-            }
-            out_.surfaces_.finishes.push_back(finish);
-        }
-    }
-
-    void add_shapes() {
-        std::size_t triangles = 0;
-        for (const Surface& surface : surfaces_)
-            triangles += scene_.type(surface.primitive) == PrimitiveType::polygon &&
-                         scene_.reals(surface.primitive).size() == 9;
-        out_.geometry_.reserve(surfaces_.size(), triangles);
-        for (std::size_t i = 0; i < surfaces_.size(); ++i)
-            if (scene_.type(surfaces_[i].primitive) != PrimitiveType::source)
-                out_.geometry_.add(scene_, surfaces_[i].primitive, static_cast<int>(i));
     }
 
     void make_sources() {
         bool indirect = false;
-        for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-            Surface& surface = surfaces_[i];
+        std::vector<Surface>& surfaces = out_.surfaces_.surfaces;
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+            Surface& surface = surfaces[i];
+            const PrimitiveType type = scene_.type(surface.primitive);
+            if (type == PrimitiveType::instance || type == PrimitiveType::mesh) continue;
             const Finish& finish = out_.finish(static_cast<int>(i));
             const Modifier* material = finish.material ? Modifier::material_of(finish.modifier) : nullptr;
             const Emitter* emitter = material ? material->emitter() : nullptr;
@@ -162,7 +90,7 @@ class SceneCompiler {
             // What emits besides reflecting is worth seeing without any light.
             indirect = indirect || !material->traits()->is_light;
             if (emitter->radiance().maximum() <= same_place) continue;
-            const bool distant = scene_.type(surface.primitive) == PrimitiveType::source;
+            const bool distant = type == PrimitiveType::source;
             if (emitter->kind() == Emitter::Kind::glow && !distant && emitter->reach() <= same_place) {
                 indirect = indirect || settings_.ambient_bounces > 0;
                 continue;
@@ -177,8 +105,15 @@ class SceneCompiler {
             if (!source.skip) out_.sampled_.push_back(surface.source);
             out_.sources_.push_back(source);
         }
-        if (out_.sampled_.empty() && !indirect && !surfaces_.empty())
+        if (out_.sampled_.empty() && !indirect && !surfaces.empty())
             out_.warnings_.push_back("no light sources found");
+    }
+
+    // Traces rays, so that all else must be in its place.
+    void add_images(const std::vector<RelaySurface>& relays) {
+        const int real = static_cast<int>(out_.sources_.size());
+        add_virtual_sources(out_, settings_, relays, out_.sources_);
+        for (int i = real; i < static_cast<int>(out_.sources_.size()); ++i) out_.sampled_.push_back(i);
     }
 
     // Samples are aimed at the centre: it has to be part of a flat source.
@@ -195,12 +130,8 @@ class SceneCompiler {
 
     CompiledScene& out_;
     const Scene& scene_;
-    std::vector<Surface>& surfaces_;
     const RenderSettings& settings_;
-    cal::Library functions_;
-    TableCache tables_;
-    DataCache data_;
-    std::vector<const Modifier*> made_;
+    CompileContext context_;
 };
 
 std::shared_ptr<const CompiledScene> CompiledScene::compile(
@@ -210,18 +141,32 @@ std::shared_ptr<const CompiledScene> CompiledScene::compile(
         throw Error("-lr below 1 needs a -lw above 0", "Russian roulette ends rays lighter than -lw");
     const std::shared_ptr<CompiledScene> compiled(new CompiledScene);
     compiled->channels_ = channels;
-    compiled->text_ = std::move(scene);
+    compiled->parts_.push_back({std::move(scene), 0});
     SceneCompiler(*compiled, settings).run(definitions);
     return compiled;
 }
 
+const ScenePart& CompiledScene::part_of(PrimitiveId number) const {
+    const auto after = [](PrimitiveId wanted, const ScenePart& part) { return wanted < part.first; };
+    return *(std::upper_bound(parts_.begin(), parts_.end(), number, after) - 1);
+}
+
 std::string_view CompiledScene::surface_name(int surface_index) const {
-    return text_.name(surface(surface_index).primitive);
+    const PrimitiveId number = surface(surface_index).primitive;
+    const ScenePart& part = part_of(number);
+    return part.text.name(number - part.first);
 }
 
 std::string_view CompiledScene::modifier_name(int surface_index) const {
-    const PrimitiveId modifier = text_.modifier(surface(surface_index).primitive);
-    return modifier == void_primitive ? "void" : text_.name(modifier);
+    const PrimitiveId number = surface(surface_index).primitive;
+    const ScenePart& part = part_of(number);
+    const PrimitiveId modifier = part.text.modifier(number - part.first);
+    return modifier == void_primitive ? "void" : part.text.name(modifier);
+}
+
+Error CompiledScene::error(PrimitiveId number, std::string_view message, std::string_view hint) const {
+    const ScenePart& part = part_of(number);
+    return part.text.error(number - part.first, message, hint);
 }
 
 std::string_view CompiledScene::material_name(int surface_index) const {

@@ -15,9 +15,10 @@ struct Finish {
     const Modifier* modifier = nullptr;      ///< first of its chain, nullptr: void
     const MaterialTraits* material = nullptr;  ///< nullptr: a surface that rays pass
     bool in_ambient = true;                    ///< takes part in the diffuse indirect calculation (-ai, -ae)
+    bool may_be_cut = false;                   ///< antimatter makes its surfaces vanish for some rays
 
     bool transparent() const { return material && material->transparent; }
-    bool blocks_light() const { return material && material->blocks_light; }
+    bool blocks_light() const { return material && material->blocks_light && !may_be_cut; }
 };
 
 struct Surface {

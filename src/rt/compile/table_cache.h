@@ -15,6 +15,8 @@
 
 namespace infra {
 
+class Bsdf;
+
 /// The tables of an nrlbrdf material.
 struct BrdfTables {
     std::shared_ptr<const TableDistribution> distribution;
@@ -26,9 +28,9 @@ struct TableCache {
     std::map<std::pair<double, double>, std::shared_ptr<const PlanckCurve>> planck_curves;
 
     SceneBands thermal_bands;
-    std::map<double, std::shared_ptr<const WardEnergy>> ward_energies;
+    std::map<FacetSlopes, std::shared_ptr<const WardEnergy>> ward_energies;
 
-    std::shared_ptr<const WardEnergy> ward_energy_of(double roughness) {
+    std::shared_ptr<const WardEnergy> ward_energy_of(const FacetSlopes& roughness) {
         auto& slot = ward_energies[roughness];
         if (!slot) slot = std::make_shared<const WardEnergy>(roughness);
         return slot;
@@ -43,6 +45,9 @@ struct TableCache {
 
     /// By the paths of a material's files, one a line.
     std::map<std::string, BrdfTables, std::less<>> by_path;
+
+    /// By path.
+    std::map<std::string, std::shared_ptr<const Bsdf>, std::less<>> bsdfs;
 };
 
 }  // namespace infra

@@ -50,8 +50,10 @@ class DataTriple {
     /// False after a domain error.
     bool evaluate(Tracer& tracer, const Interaction& at, double* triple) const;
 
-    /// A vector from the functions' coordinates to those of the scene, without change of length.
-    Vec3 to_scene(const Vec3& v) const { return functions_.to_scene(v); }
+    /// A vector from the functions' coordinates at a hit to those of the scene, without change of length.
+    Vec3 to_scene(const Tracer& tracer, const Interaction& at, const Vec3& v) const {
+        return functions_.to_scene(tracer, at, v);
+    }
 
   private:
     std::array<std::shared_ptr<const DataTable>, 3> tables_;

@@ -10,7 +10,7 @@
 namespace infra {
 
 FunctionSet::FunctionSet(ModifierContext& context, std::size_t first, std::size_t count, std::size_t file)
-    : scale_(1), reals_(context.reals()), where_(context.scene.location(context.id)) {
+    : reals_(context.reals()), where_(context.scene.location(context.id)) {
     const auto strings = context.strings();
     owner_ =
         std::string(infra::name(context.scene.type(context.id))) + " \"" + std::string(context.name()) + "\"";
@@ -22,8 +22,7 @@ FunctionSet::FunctionSet(ModifierContext& context, std::size_t first, std::size_
     Location start = where_;
     if (start.file.empty()) start.file = owner_;
     context_ = context.functions.load_function_file(strings[file], start);
-    for (std::size_t i = 0; i < count; ++i)
-        expressions_.push_back(context.functions.compile(strings[first + i], start, context_));
+    for (std::size_t i = 0; i < count; ++i) add_expression(context, first + i);
 
     std::vector<std::string_view> words(strings.begin() + static_cast<std::ptrdiff_t>(needed), strings.end());
     const auto begin = std::find_if(words.begin(), words.end(), is_transform_option);
@@ -32,8 +31,13 @@ FunctionSet::FunctionSet(ModifierContext& context, std::size_t first, std::size_
         if (parse_transform(std::span<const std::string_view>(words), from_local_) != words.size())
             throw context.error("bad transform", "options such as -t x y z, -rx angle, -s factor");
         to_local_ = from_local_.inverse();
-        scale_ = to_local_.magnification();
     }
+}
+
+void FunctionSet::add_expression(ModifierContext& context, std::size_t argument) {
+    Location start = where_;
+    if (start.file.empty()) start.file = owner_;
+    expressions_.push_back(context.functions.compile(context.strings()[argument], start, context_));
 }
 
 int FunctionSet::arity(const ModifierContext& context, std::size_t argument) const {
@@ -56,19 +60,48 @@ bool FunctionSet::evaluate(Tracer& tracer, const Interaction& at, double* values
     return call.ok();
 }
 
-FunctionCall::FunctionCall(const FunctionSet& set, Tracer& tracer, const Interaction& at)
+FunctionCall::FunctionCall(const FunctionSet& set, Tracer& tracer, const Interaction& at,
+                           const MaterialVariables* variables)
     : set_(set),
       at_(at),
+      to_local_(&set.to_local_),
+      variables_(variables),
       evaluator_(tracer.evaluator()),
       host_{this, channel_value, set.reals_, set.owner_, &set.where_},
       faults_(evaluator_.fault_count()) {
     evaluator_.next_clock();
+    if (at.placement) [[unlikely]]
+        place(tracer.scene().geometry());
+}
+
+void FunctionCall::place(const Geometry& geometry) {
+    Placement placement;
+    if (geometry.modifier_placement(at_.placement, placement))
+        to_local_ = &placed_.emplace(placement.to_inside() * set_.to_local_);
+}
+
+Vec3 FunctionSet::to_scene(const Tracer& tracer, const Interaction& at, const Vec3& v) const {
+    Placement placement;
+    if (!at.placement || !tracer.scene().geometry().modifier_placement(at.placement, placement))
+        return turned(v);
+    return placement.direction_outside(turned(v));
+}
+
+double FunctionSet::length_in_scene(const Tracer& tracer, const Interaction& at, double length) const {
+    const double scaled = length * from_local_.magnification();
+    Placement placement;
+    if (!at.placement || !tracer.scene().geometry().modifier_placement(at.placement, placement))
+        return scaled;
+    return placement.scale() * scaled;
 }
 
 void FunctionCall::expressions(double* values) {
+    for (std::size_t n = 0; n < set_.expressions_.size(); ++n) *values++ = expression(n);
+}
+
+double FunctionCall::expression(std::size_t n) {
     try {
-        for (const cal::ExprId expression : set_.expressions_)
-            *values++ = evaluator_.evaluate(expression, host_);
+        return evaluator_.evaluate(set_.expressions_[n], host_);
     } catch (const Error& error) {
         fail(error);
     }
@@ -89,33 +122,50 @@ void FunctionCall::fail(const Error& error) const {
 
 // Component `i` of a direction in local coordinates.
 double FunctionCall::local_direction(const Vec3& v, int i) const {
-    const auto& m = set_.to_local_.matrix;
-    return (v.x * m[0][i] + v.y * m[1][i] + v.z * m[2][i]) / set_.scale_;
+    const auto& m = to_local_->matrix;
+    return (v.x * m[0][i] + v.y * m[1][i] + v.z * m[2][i]) / to_local_->magnification();
+}
+
+double FunctionCall::material_value(int number) const {
+    if (number < cal::perturbed_dot)
+        return local_direction(variables_->normal, number - cal::perturbed_normal);
+    if (number == cal::perturbed_dot) return variables_->cosine;
+    return variables_->color[number - cal::material_color];
 }
 
 double FunctionCall::channel_value(const void* self, int number) {
     const FunctionCall& view = *static_cast<const FunctionCall*>(self);
     const Interaction& at = view.at_;
-    const auto& m = view.set_.to_local_.matrix;
-    const double scale = view.set_.scale_;
+    const double side = view.variables_ && view.variables_->tells_sides && at.flipped ? -1 : 1;
+    const auto& m = view.to_local_->matrix;
+    const double scale = view.to_local_->magnification();
     if (number < 1) throw Error("illegal channel number $" + std::to_string(number), "a ray has $1 to $27");
     if (number < cal::surface_normal) return view.local_direction(at.ray->direction, number - 1);
     if (number < cal::intersection_point)
-        return view.local_direction(at.normal, number - cal::surface_normal);
+        return side * view.local_direction(at.normal, number - cal::surface_normal);
     if (number < cal::total_distance) {
         const int i = number - cal::intersection_point;
         return at.point.x * m[0][i] + at.point.y * m[1][i] + at.point.z * m[2][i] + m[3][i];
     }
     if (number == cal::total_distance) return (at.ray->path_before + at.distance) * scale;
-    if (number == cal::ray_dot) return std::clamp(at.cosine, -1.0, 1.0);
+    if (number == cal::ray_dot) return side * std::clamp(at.cosine, -1.0, 1.0);
     if (number == cal::world_scale) return scale;
     if (number < cal::world_i) return m[3][number - cal::world_origin];
     if (number < cal::world_j) return m[0][number - cal::world_i] / scale;
     if (number < cal::world_k) return m[1][number - cal::world_j] / scale;
     if (number < cal::shadow_distance) return m[2][number - cal::world_k] / scale;
     if (number == cal::shadow_distance) return (at.distance + at.ray->shadow_before) * scale;
-    if (number == cal::local_u || number == cal::local_v)
-        return 0;  // only meshes have coordinates of their own
+    if (number == cal::local_u || number == cal::local_v) return at.local_uv[number - cal::local_u];
+    if (number >= cal::perturbed_normal && number < cal::light_direction) {
+        if (view.variables_) return view.material_value(number);
+        throw Error("NxP, RdotP and CrP are used where there are none",
+                    "*func and *data materials have them: plasfunc, BRTDfunc and their kin");
+    }
+    if (number >= cal::light_direction && number < cal::light_direction + 3) {
+        if (view.light_direction_)
+            return view.local_direction(*view.light_direction_, number - cal::light_direction);
+        throw Error("DxA, DyA and DzA are used where there are none", "prism1 and prism2 have them");
+    }
     throw Error("illegal channel number $" + std::to_string(number), "a ray has $1 to $27");
 }
 

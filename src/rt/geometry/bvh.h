@@ -46,8 +46,13 @@ class Bvh {
 
     void build(std::vector<Item> items);
 
-    /// The items' numbers in the order of the leaves, with ~0u after each leaf. Numbers may be exchanged for
-    /// others of the same things; ~0u is no number.
+    /// Around all items; empty if there are none.
+    const Bounds& bounds() const { return box_; }
+
+    static constexpr std::uint32_t end_of_leaf = ~0u;
+
+    /// The items' numbers in the order of the leaves, with end_of_leaf after each leaf. Numbers may be
+    /// exchanged for others of the same things; end_of_leaf is no number.
     std::vector<std::uint32_t>& items() { return items_; }
 
     /// Calls visit(item) for every item whose box the ray may meet nearer than limit(), near boxes first.
@@ -65,7 +70,6 @@ class Bvh {
             child[4];  // index of a node, or the complement of a leaf's first item; an empty box: none
     };
 
-    static constexpr std::uint32_t end_of_leaf = ~0u;
     static constexpr int stack_size = 256;
 
     struct Builder;

@@ -32,11 +32,12 @@ void Geometry::reserve(std::size_t surfaces, std::size_t triangles) {
 }
 
 void Geometry::note(Kind kind, std::size_t index, int surface, const Bounds& box) {
+    const ShapeRef shape = shape_ref(kind, index);
+    items_.emplace_back(box, shape);
+    if (role_ == Role::content) return;
     if (shape_of_.size() <= static_cast<std::size_t>(surface))
         shape_of_.resize(static_cast<std::size_t>(surface) + 1, no_shape);
-    const ShapeRef shape = static_cast<ShapeRef>(kind) << 29 | static_cast<ShapeRef>(index);
     shape_of_[static_cast<std::size_t>(surface)] = shape;
-    items_.emplace_back(box, shape);
 }
 
 bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
@@ -123,37 +124,41 @@ bool Geometry::add_cone(PrimitiveType type, std::span<const double> numbers, int
 
 void Geometry::build() {
     bvh_.build(std::move(items_));
-    sort_triangles();
+    sort_by_leaves(triangles_, triangle);
+    if (role_ == Role::scene)
+        for (std::size_t i = 0; i < triangles_.size(); ++i)
+            shape_of_[static_cast<std::size_t>(triangles_[i].surface)] = shape_ref(triangle, i);
+    sort_by_leaves(facets_.all(), facet);
 }
 
-// Brings the triangles into the order of the hierarchy's leaves, so that a leaf's triangles share cache
+// Brings shapes of one kind into the order of the hierarchy's leaves, so that those of a leaf share cache
 // lines.
-void Geometry::sort_triangles() {
-    std::vector<ShapeRef> old_place;  // by new place
-    old_place.reserve(triangles_.size());
+template <class Shape>
+void Geometry::sort_by_leaves(std::vector<Shape>& shapes, Kind sorted) {
+    std::vector<std::uint32_t> old_place;  // by new place
+    old_place.reserve(shapes.size());
     for (ShapeRef& item : bvh_.items())
-        if (kind(item) == triangle) {
-            old_place.push_back(item);
-            item = static_cast<ShapeRef>(old_place.size() - 1);
+        if (item != Bvh::end_of_leaf && kind(item) == sorted) {
+            old_place.push_back(static_cast<std::uint32_t>(index(item)));
+            item = shape_ref(sorted, old_place.size() - 1);
         }
     for (std::size_t start = 0; start < old_place.size(); ++start) {  // each cycle of the permutation in turn
         if (old_place[start] == start) continue;
-        const Triangle first = triangles_[start];
+        const Shape first = shapes[start];
         std::size_t place = start;
         while (old_place[place] != start) {
             const std::size_t from = old_place[place];
-            triangles_[place] = triangles_[from];
-            old_place[place] = static_cast<ShapeRef>(place);
+            shapes[place] = shapes[from];
+            old_place[place] = static_cast<std::uint32_t>(place);
             place = from;
         }
-        triangles_[place] = first;
-        old_place[place] = static_cast<ShapeRef>(place);
+        shapes[place] = first;
+        old_place[place] = static_cast<std::uint32_t>(place);
     }
-    for (std::size_t i = 0; i < triangles_.size(); ++i)
-        shape_of_[static_cast<std::size_t>(triangles_[i].surface)] = static_cast<ShapeRef>(i);
 }
 
-inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const {
+inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direction,
+                           const PlacedShape& leaving, HitState& state) const {
     const std::size_t i = index(shape);
     switch (kind(shape)) {
         case triangle:
@@ -166,14 +171,20 @@ inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direc
             return cones_[i].intersect(origin, direction, table_, shape, state);
         case ring:
             return rings_[i].intersect(origin, direction, table_, shape, state);
+        case facet:
+            return facets_.intersect(i, origin, direction, table_, shape, state);
+        case instance:
+            return test_instance(shape, origin, direction, leaving, state);
     }
 }
 
-void Geometry::intersect(const Vec3& origin, const Vec3& direction, ShapeRef leaving, HitState& state) const {
+void Geometry::intersect(const Vec3& origin, const Vec3& direction, const PlacedShape& leaving,
+                         HitState& state) const {
+    const ShapeRef own = leaving.placement ? no_shape : leaving.shape;
     bvh_.walk(
         origin, direction,
         [&](std::uint32_t shape) {
-            if (shape != leaving) test(shape, origin, direction, state);
+            if (shape != own) test(shape, origin, direction, leaving, state);
             return false;
         },
         [&] { return state.distance + same_place; });
@@ -181,23 +192,27 @@ void Geometry::intersect(const Vec3& origin, const Vec3& direction, ShapeRef lea
 
 bool Geometry::intersect_one(ShapeRef shape, const Vec3& origin, const Vec3& direction,
                              HitState& state) const {
-    test(shape, origin, direction, state);
+    test(shape, origin, direction, {}, state);
     return state.surface >= 0;
 }
 
-Geometry::View Geometry::view(const Vec3& origin, const Vec3& direction, double distance,
-                              ShapeRef leaving) const {
+Geometry::View Geometry::view_before(const Vec3& origin, const Vec3& direction, double limit,
+                                     const PlacedShape& leaving) const {
     View found = View::clear;
-    const double limit = distance - same_place;
+    const ShapeRef own = leaving.placement ? no_shape : leaving.shape;
     bvh_.walk(
         origin, direction,
         [&](std::uint32_t shape) {
-            if (shape == leaving) return false;
+            if (shape == own) return false;
+            if (kind(shape) == instance) {
+                found = std::max(found, view_instance(shape, origin, direction, limit, leaving));
+                return found == View::blocked;
+            }
             HitState state;
             state.distance = limit;
-            test(shape, origin, direction, state);
+            test(shape, origin, direction, leaving, state);
             if (state.surface < 0) return false;
-            found = table_.finish(state.surface).blocks_light() ? View::blocked : View::filtered;
+            found = std::max(found, view_past(state.surface));
             return found == View::blocked;
         },
         [&] { return limit; });
@@ -217,6 +232,10 @@ Vec3 Geometry::normal(ShapeRef shape, const Vec3& point) const {
             return cones_[i].normal(point);
         case ring:
             return rings_[i].unit_normal;
+        case facet:
+            return facets_.normal(i);
+        case instance:
+            break;  // has none of its own
     }
     return Vec3{0, 0, 1};
 }

@@ -1,5 +1,10 @@
 // All shapes of a scene and the hierarchy over them: what a ray hits, and whether anything lies in its way.
 // Immutable once built.
+//
+// An instance is a shape whose content is another Geometry, an octree's or a mesh's, kept once however often
+// it is placed. A ray is carried into the content's coordinates and back. So a shape is found by its ShapeRef
+// in the innermost content, and a number for the way there: all instances within instances are counted
+// through, from 1, those of one content standing together. Number 0 is the scene itself.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +13,9 @@
 #include <vector>
 
 #include "rt/geometry/bvh.h"
+#include "rt/geometry/placement.h"
 #include "rt/shapes/cone.h"
+#include "rt/shapes/facets.h"
 #include "rt/shapes/polygon.h"
 #include "rt/shapes/ring.h"
 #include "rt/shapes/sphere.h"
@@ -26,14 +33,19 @@ class Geometry {
         polygon,
         sphere,
         cone,
-        ring
-    };  // triangle is 0: sort_triangles relies on it
+        ring,
+        facet,  // of a mesh
+        instance
+    };
 
-    /// What stands between two points.
-    enum class View { clear, blocked, filtered };
+    /// What stands between two points, from good to bad.
+    enum class View { clear, filtered, blocked };
+
+    /// Whose shapes: only those of the scene itself can be found by surface (shape_of).
+    enum class Role { scene, content };
 
     /// table: decides between surfaces in the same place; must outlive the geometry.
-    explicit Geometry(const SurfaceTable& table) : table_(table) {}
+    explicit Geometry(const SurfaceTable& table, Role role = Role::scene) : table_(table), role_(role) {}
 
     /// Makes room for this many surfaces, of which so many are triangles.
     void reserve(std::size_t surfaces, std::size_t triangles);
@@ -41,21 +53,43 @@ class Geometry {
     /// radius).
     ///   throws  Error if the primitive's type is no shape known here
     bool add(const Scene& scene, PrimitiveId id, int surface);
+    /// Makes it a mesh. The surface of facets that have no material becomes that of each instance.
+    void set_facets(Facets facets, int surface_without_material);
+    /// Places a content, which is built and stays alive, as surface number `surface`.
+    ///   covers  that surface hides the content's own surfaces and their modifiers
+    void add_instance(const Geometry& content, const Placement& placement, int surface, bool covers);
     /// Builds the hierarchy; to be called once, after the last add().
     void build();
 
     /// Nearest hit beyond `same_place` and nearer than state.distance; `leaving` is a shape not to be tested.
-    void intersect(const Vec3& origin, const Vec3& direction, ShapeRef leaving, HitState& state) const;
+    void intersect(const Vec3& origin, const Vec3& direction, const PlacedShape& leaving,
+                   HitState& state) const;
     /// The same for one surface alone (a light source that is aimed at). False if it is missed.
     bool intersect_one(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const;
     /// blocked as soon as anything opaque is found nearer than `distance`; filtered if only other things are.
-    View view(const Vec3& origin, const Vec3& direction, double distance, ShapeRef leaving) const;
-
-    /// Unit normal of a shape at a point on it.
-    Vec3 normal(ShapeRef shape, const Vec3& point) const;
-    static bool is_flat(ShapeRef shape) {
-        return kind(shape) == triangle || kind(shape) == polygon || kind(shape) == ring;
+    View view(const Vec3& origin, const Vec3& direction, double distance, const PlacedShape& leaving) const {
+        return view_before(origin, direction, distance - same_place, leaving);
     }
+
+    /// Box around all shapes; empty if there are none.
+    const Bounds& bounds() const { return bvh_.bounds(); }
+
+    /// Unit normal of a shape, which is no instance, at a point on it.
+    Vec3 normal(ShapeRef shape, const Vec3& point) const;
+    /// Normal, shape, instance and a mesh's coordinates at a hit whose point is known.
+    void describe(const HitState& state, Interaction& at) const {
+        if (kind(state.shape) == instance) [[unlikely]]
+            return describe_inner(state.inner, at);
+        at.normal = normal(state.shape, at.point);
+        at.flat_shape = is_flat(state.shape) ? state.shape : no_shape;
+    }
+
+    /// Where the coordinates of the modifiers stand that are met in instance `number`: within the instances
+    /// around it, up to the first that hides its content behind modifiers of its own.
+    ///   returns  false if that is the scene itself
+    bool modifier_placement(std::uint64_t number, Placement& placement) const;
+    /// Whether instance `number` or one around it hides its content's own surfaces.
+    bool is_covered(std::uint64_t number) const;
 
     /// Shape of a surface, no_shape if it has none.
     static constexpr ShapeRef no_shape = ~0u;
@@ -66,15 +100,53 @@ class Geometry {
     }
 
   private:
+    struct Instance {
+        Placement placement;
+        const Geometry* content;
+        int surface;
+        bool covers;
+        std::uint64_t first_number;  ///< its own; those of the instances in it follow
+    };
+    /// The innermost content that a number leads to.
+    struct Located {
+        const Geometry* content;
+        Placement placement;
+    };
+
     static Kind kind(ShapeRef shape) { return static_cast<Kind>(shape >> 29); }
     static std::size_t index(ShapeRef shape) { return shape & 0x1fffffffu; }
-    void test(ShapeRef shape, const Vec3& origin, const Vec3& direction, HitState& state) const;
+    static ShapeRef shape_ref(Kind kind, std::size_t index) {
+        return static_cast<ShapeRef>(kind) << 29 | static_cast<ShapeRef>(index);
+    }
+    static bool is_flat(ShapeRef shape) {
+        const Kind k = kind(shape);
+        return k == triangle || k == polygon || k == ring || k == facet;
+    }
+    void test(ShapeRef shape, const Vec3& origin, const Vec3& direction, const PlacedShape& leaving,
+              HitState& state) const;
+    View view_past(int surface) const {
+        return table_.finish(surface).blocks_light() ? View::blocked : View::filtered;
+    }
+    View view_before(const Vec3& origin, const Vec3& direction, double limit,
+                     const PlacedShape& leaving) const;
     void note(Kind kind, std::size_t index, int surface, const Bounds& box);
-    void sort_triangles();
+    template <class Shape>
+    void sort_by_leaves(std::vector<Shape>& shapes, Kind kind);
+
+    // instances.cpp
+    static PlacedShape leaving_inside(const Instance& it, const PlacedShape& leaving);
+    void test_instance(ShapeRef shape, const Vec3& origin, const Vec3& direction, const PlacedShape& leaving,
+                       HitState& state) const;
+    View view_instance(ShapeRef shape, const Vec3& origin, const Vec3& direction, double limit,
+                       const PlacedShape& leaving) const;
+    void describe_inner(const PlacedShape& inner, Interaction& at) const;
+    const Instance& instance_of(std::uint64_t number) const;
+    Located locate(std::uint64_t number) const;
     bool add_polygon(std::span<const double> vertices, int surface);
     bool add_cone(PrimitiveType type, std::span<const double> numbers, int surface);
 
     const SurfaceTable& table_;
+    Role role_;
     std::vector<Triangle> triangles_;
     std::vector<Polygon> polygons_;
     std::vector<std::unique_ptr<double[]>> corners_;
@@ -82,6 +154,10 @@ class Geometry {
     std::vector<Sphere> spheres_;
     std::vector<Cone> cones_;
     std::vector<Ring> rings_;
+    Facets facets_;
+    int bare_surface_ = -1;  // of facets without a material
+    std::vector<Instance> instances_;
+    std::uint64_t placements_ = 0;  // of all instances, and of those in them
     std::vector<ShapeRef> shape_of_;
     Bvh bvh_;
 };

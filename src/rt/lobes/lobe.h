@@ -18,7 +18,9 @@ namespace infra {
 struct LobeDraw {
     Vec3 wi{0, 0, 1};
     double weight = 0;  ///< 0: this sample brings nothing and is not traced
-    double lost = 0;    ///< weight that it would have, had it not gone below the surface
+    /// Weight that it would have, had it not gone below the surface. Below 0: what its reflection takes from an
+    /// emission that mean_weight() told to be larger.
+    double lost = 0;
 };
 
 class Lobe {

@@ -9,8 +9,8 @@
 namespace infra {
 namespace {
 
-constexpr int angles = 64;
-constexpr int slopes = 160, azimuths = 80;  // half the circle: the other half mirrors it
+constexpr int angles = 64, azimuths = 16;  // intervals, each from 0 to 90 deg
+constexpr int slope_sizes = 160, slope_turns = 160;
 constexpr double half_pi = std::numbers::pi / 2;
 
 /// Mean of count/draws, where draws are made until `count` of them are accepted, each with probability p:
@@ -25,35 +25,64 @@ double mean_of_accepted_share(double p, int count) {
     return sum / steps;
 }
 
+/// Where a value 0 .. half_pi lies among nodes `intervals` + 1 in number.
+struct Place {
+    std::size_t cell;
+    double t;
+
+    Place(double value, int intervals) {
+        const double place = std::clamp(value, 0.0, half_pi) * (intervals / half_pi);
+        cell = static_cast<std::size_t>(std::min(static_cast<int>(place), intervals - 1));
+        t = place - static_cast<double>(cell);
+    }
+};
+
 }  // namespace
 
-WardEnergy::Node WardEnergy::at_angle(double angle) const {
-    const Vec3 normal{0, 0, 1}, view{std::sin(angle), 0, -std::cos(angle)};
+WardEnergy::Node WardEnergy::at_angles(double angle, double azimuth) const {
+    const Vec3 normal{0, 0, 1};
+    const Vec3 view{-std::sin(angle) * std::cos(azimuth), -std::sin(angle) * std::sin(azimuth),
+                    -std::cos(angle)};
     double accepted = 0, weight = 0;
-    for (int i = 0; i < slopes; ++i) {
-        const double slope = roughness_ * std::sqrt(-std::log((i + 0.5) / slopes));
-        for (int k = 0; k < azimuths; ++k) {
-            const double azimuth = std::numbers::pi * (k + 0.5) / azimuths;
-            const Vec3 half{slope * std::cos(azimuth), slope * std::sin(azimuth), 1};
+    for (int i = 0; i < slope_sizes; ++i) {
+        const double size = std::sqrt(-std::log((i + 0.5) / slope_sizes));
+        for (int k = 0; k < slope_turns; ++k) {
+            const double turn = 2 * std::numbers::pi * (k + 0.5) / slope_turns;
+            const Vec3 half{roughness_.u * size * std::cos(turn), roughness_.v * size * std::sin(turn), 1};
             const double w = ward_weight(view, ward_reflected(view, half), normal);
             accepted += w > 0;
             weight += w;
         }
     }
-    return {accepted / (slopes * azimuths), accepted > 0 ? weight / accepted : 0.0};
+    return {accepted / (slope_sizes * slope_turns), accepted > 0 ? weight / accepted : 0.0};
 }
 
-double WardEnergy::mean_weight(double cosine, int count) const {
-    std::call_once(made_, [this] {
-        for (int i = 0; i <= angles; ++i) nodes_.push_back(at_angle(std::min(i * half_pi / angles, 1.5707)));
-    });
-    const double place = std::acos(std::clamp(cosine, 0.0, 1.0)) * (angles / half_pi);
-    const auto cell = static_cast<std::size_t>(std::min(static_cast<int>(place), angles - 1));
-    const double t = place - static_cast<double>(cell);
-    const Node &a = nodes_[cell], &b = nodes_[cell + 1];
-    const double accepted = a.accepted + t * (b.accepted - a.accepted);
-    const double weight = a.weight + t * (b.weight - a.weight);
-    return accepted > 0 ? weight * mean_of_accepted_share(accepted, count) : 0.0;
+void WardEnergy::make_nodes() const {
+    constexpr double nearly_grazing = 1.5707;
+    const int last = roughness_.isotropic() ? 0 : azimuths;
+    for (int k = 0; k <= last; ++k)
+        for (int i = 0; i <= angles; ++i)
+            nodes_.push_back(
+                at_angles(std::min(i * half_pi / angles, nearly_grazing), k * half_pi / azimuths));
+}
+
+WardEnergy::Node WardEnergy::between(double angle, double azimuth) const {
+    const Place along(angle, angles), around(azimuth, azimuths);
+    const auto row = [&](std::size_t k) {
+        const Node *a = &nodes_[k * (angles + 1) + along.cell], *b = a + 1;
+        return Node{a->accepted + along.t * (b->accepted - a->accepted),
+                    a->weight + along.t * (b->weight - a->weight)};
+    };
+    if (roughness_.isotropic()) return row(0);
+    const Node a = row(around.cell), b = row(around.cell + 1);
+    return {a.accepted + around.t * (b.accepted - a.accepted), a.weight + around.t * (b.weight - a.weight)};
+}
+
+double WardEnergy::mean_weight(const Vec3& to_viewer, int count) const {
+    std::call_once(made_, [this] { make_nodes(); });
+    const double azimuth = std::atan2(std::fabs(to_viewer.y), std::fabs(to_viewer.x));
+    const Node node = between(std::acos(std::clamp(to_viewer.z, 0.0, 1.0)), azimuth);
+    return node.accepted > 0 ? node.weight * mean_of_accepted_share(node.accepted, count) : 0.0;
 }
 
 }  // namespace infra

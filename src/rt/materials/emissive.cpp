@@ -50,7 +50,7 @@ bool EmissiveMaterial::shade(Tracer& tracer, Interaction& at) const {
     const Ray& ray = *at.ray;
     if (ray.is(shadow_rays)) {
         const bool aimed =
-            ray.aimed_source >= 0 && tracer.scene().source(ray.aimed_source).surface == at.surface;
+            ray.aimed_source >= 0 && tracer.scene().source(ray.aimed_source).shines_from(at.surface);
         if (!aimed) return !reflecting_ || tracer.shade_chain(reflecting_, at);
         if (at.cosine >= 0) add_emission(tracer, at);
         return true;

@@ -42,6 +42,7 @@ class LightMaterial final : public Modifier, public Emitter {
     void set_other(const Modifier* other) {
         other_ = other;
         has_other_ = true;
+        if (const Modifier* material = material_of(other)) traits_.relay = material->traits()->relay;
     }
 
     bool shade(Tracer& tracer, Interaction& at) const override;

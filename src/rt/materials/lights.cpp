@@ -39,7 +39,8 @@ bool LightMaterial::counts(const Tracer& tracer, const Interaction& at) const {
 bool LightMaterial::shade(Tracer& tracer, Interaction& at) const {
     const Ray& ray = *at.ray;
     if (!counts(tracer, at)) return true;
-    const bool aimed = ray.aimed_source >= 0 && tracer.scene().source(ray.aimed_source).surface == at.surface;
+    const bool aimed =
+        ray.aimed_source >= 0 && tracer.scene().source(ray.aimed_source).shines_from(at.surface);
     if (kind_ == Kind::illum && !aimed) {
         if (has_other_) return tracer.shade_chain(other_, at);
         tracer.pass_through(at);

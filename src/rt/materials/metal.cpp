@@ -14,7 +14,7 @@ namespace infra {
 std::unique_ptr<Modifier> make_metal(ModifierContext& context) {
     WardParameters p{context.color(0)};
     p.specularity = context.reals()[3];
-    p.roughness = context.reals()[4];
+    p.facets.roughness = {context.reals()[4], context.reals()[4]};
     p.metallic = true;
     return make_ward_material(context, std::move(p), false);
 }

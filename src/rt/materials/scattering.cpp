@@ -5,12 +5,17 @@
 
 namespace infra {
 
-double fresnel_approximation(double c) { return std::exp(-5.85 * c) - 0.00287989916; }
+double fresnel_approximation(double c, double offset) { return std::exp(-5.85 * c) - offset; }
+
+double schlick_share(double c) {
+    const double missing = 1.0 - c, squared = missing * missing;
+    return squared * squared * missing;
+}
 
 void Scattering::smooth_albedo(Spectrum& result) const {
     result.clear();
     if (has_mirror) result += mirror_coefficient;
-    if (has_through) result += through_coefficient;
+    if (has_through) result.add_scaled(through_coefficient, 1.0f / radiance_change);
     if (pure_specular) return;
     result += ambient;
     result += ambient_through;
@@ -18,11 +23,14 @@ void Scattering::smooth_albedo(Spectrum& result) const {
 
 void Scattering::eval(const Vec3& wi, double omega, Spectrum& result) const {
     result.clear();
-    const double cosine = dot(normal, wi);
-    const Spectrum& lambertian = cosine >= 0 ? diffuse : diffuse_through;
-    double scale = std::fabs(cosine) * std::numbers::inv_pi;
-    if (fresnel_coupled) scale *= 1.0 - fresnel_approximation(std::fabs(cosine));
-    result.add_scaled(lambertian, static_cast<float>(scale));
+    const double cosine = dot(normal, wi), cosine_through = dot(through_normal, wi);
+    double coat = 1;
+    if (fresnel_coupled) coat -= fresnel_approximation(std::fabs(dot(fresnel_normal, wi)), fresnel_offset);
+    if (schlick_coupled) coat -= schlick_share(std::fabs(cosine));
+    if (cosine >= 0) result.add_scaled(diffuse, static_cast<float>(cosine * std::numbers::inv_pi * coat));
+    if (cosine_through < 0)
+        result.add_scaled(diffuse_through, static_cast<float>(-cosine_through * std::numbers::inv_pi * coat));
+    if (response) response->add(wi, omega, result);
     for (int i = 0; i < lobe_count; ++i) {
         const Lobe& lobe = *lobes[i];
         const auto value = static_cast<float>(lobe.eval(wi, omega));

@@ -10,16 +10,28 @@
 #include "common/spectra/spectrum.h"
 #include "common/vec.h"
 #include "rt/lobes/lobe.h"
+#include "rt/lobes/source_response.h"
 
 namespace infra {
 
+struct Medium;
+
+/// What makes the approximation end at 0; that of all smooth materials but WGMDfunc.
+inline constexpr double default_fresnel_offset = 0.00287989916;
+
 /// RADIANCE's approximation of Fresnel reflection, for a smooth surface at cosine c.
-double fresnel_approximation(double c);
+double fresnel_approximation(double c, double offset = default_fresnel_offset);
+
+/// Schlick's approximation: of what a surface does not reflect straight on, the share that it reflects at
+/// cosine c.
+double schlick_share(double c);
 
 class Scattering {
   public:
     Scattering(const Vec3& shading_normal, int channels)
         : normal(shading_normal),
+          through_normal(shading_normal),
+          fresnel_normal(shading_normal),
           mirror_coefficient(channels),
           through_coefficient(channels),
           diffuse(channels),
@@ -29,7 +41,9 @@ class Scattering {
     Scattering(const Scattering&) = delete;
     Scattering& operator=(const Scattering&) = delete;
 
-    Vec3 normal;  ///< with its textures, facing the viewer
+    Vec3 normal;          ///< with its textures, facing the viewer
+    Vec3 through_normal;  ///< the same for diffuse transmission, where it has textures of its own
+    Vec3 fresnel_normal;  ///< and of the smooth surface that fresnel_coupled speaks of
 
     // Perfect specular rays
     bool has_mirror = false;
@@ -38,13 +52,22 @@ class Scattering {
     Vec3 mirror_direction{0};
     Spectrum through_coefficient;
     Vec3 through_direction{0};
+    int relayed_source =
+        -1;  ///< what a shadow ray is aimed at beyond a mirror or prism, -1: what it was before
     bool as_clear_as_air = false;  ///< what lies behind is all that is seen, mirror images included
     bool seen_through = false;     ///< the apparent distance is that of what lies behind
+    bool changes_medium = false;   ///< the through ray travels on in:
+    const Medium* medium_beyond = nullptr;
+    /// Factor by which refraction changes radiance without any energy lost or gained: it is part of
+    /// through_coefficient and squeezes or widens the solid angle.
+    float radiance_change = 1;
 
     // Lambertian parts, as reflectance
     Spectrum diffuse;
     Spectrum diffuse_through;
-    bool fresnel_coupled = false;  ///< the diffuse part loses what the smooth surface reflects
+    bool fresnel_coupled = false;  ///< the diffuse parts lose what the smooth surface reflects
+    double fresnel_offset = default_fresnel_offset;  ///< of fresnel_approximation()
+    bool schlick_coupled = false;  ///< the same by Schlick's formula: all passes straight on
     // The same for the indirect calculation: with the lobes that are too weak to be sampled
     Spectrum ambient;
     Spectrum ambient_through;
@@ -53,6 +76,9 @@ class Scattering {
     const Lobe* lobes[2] = {nullptr, nullptr};
     bool lobe_sampled[2] = {false, false};
     int lobe_count = 0;
+
+    /// What answers for light sources only, nullptr: nothing.
+    const SourceResponse* response = nullptr;
 
     /// True when nothing but mirror and through rays is left.
     bool pure_specular = false;
@@ -64,6 +90,13 @@ class Scattering {
         lobes[lobe_count] = new (slots_[lobe_count]) L(std::forward<Args>(args)...);
         lobe_sampled[lobe_count] = sampled;
         ++lobe_count;
+    }
+
+    /// Takes the place of the first lobe.
+    template <class R, class... Args>
+    void set_response(Args&&... args) {
+        static_assert(sizeof(R) <= slot_size && std::is_trivially_destructible_v<R>);
+        response = new (slots_[0]) R(std::forward<Args>(args)...);
     }
 
     /// Reflectance plus transmittance towards the viewer of all but the lobes that rays sample.

@@ -7,7 +7,7 @@ namespace infra {
 bool SurfaceMaterial::shade(Tracer& tracer, Interaction& at) const {
     const bool shadow = at.ray->is(shadow_rays);
     if (shadow && traits_.blocks_light) return true;
-    if (at.cosine < 0 && !tracer.settings().back_faces_visible) {
+    if (at.cosine < 0 && sides_.back_may_hide && !tracer.settings().back_faces_visible) {
         tracer.pass_through(at);
         return true;
     }
@@ -16,6 +16,7 @@ bool SurfaceMaterial::shade(Tracer& tracer, Interaction& at) const {
     Scattering scattering(at.perturbed_normal(), at.channels());
     scatter(tracer, at, shadow, scattering);
     tracer.transport(scattering, at);
+    if (at.flipped && !sides_.turns_to_viewer) at.flip();
     return true;
 }
 

@@ -21,8 +21,19 @@ class SurfaceMaterial : public Modifier {
     bool shade(Tracer& tracer, Interaction& at) const final;
     const MaterialTraits* traits() const final { return &traits_; }
 
+  protected:
+    /// What tells a material's two sides apart (BRTDfunc, WGMDfunc).
+    struct Sides {
+        bool back_may_hide = true;    ///< -bv 0 makes the back invisible
+        bool turns_to_viewer = true;  ///< the surface is reported as facing the viewer (rtrace -on)
+    };
+    void set_sides(const Sides& sides) { sides_ = sides; }
+    /// For what can be seen through but lets no light source shine through (trans2).
+    void block_light() { traits_.blocks_light = true; }
+
   private:
     MaterialTraits traits_;
+    Sides sides_;
 };
 
 }  // namespace infra

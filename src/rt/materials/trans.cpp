@@ -15,7 +15,7 @@ namespace infra {
 std::unique_ptr<Modifier> make_trans(ModifierContext& context) {
     WardParameters p{context.color(0)};
     p.specularity = context.reals()[3];
-    p.roughness = context.reals()[4];
+    p.facets.roughness = {context.reals()[4], context.reals()[4]};
     p.transmissivity = context.reals()[5];
     p.transmitted_specular = context.reals()[6];
     return make_ward_material(context, std::move(p), true);

@@ -10,6 +10,7 @@ MaterialTraits wrapper_traits(std::string_view name, const Modifier* reflecting)
     if (material) {
         traits.transparent = material->traits()->transparent;
         traits.blocks_light = material->traits()->blocks_light;
+        traits.relay = material->traits()->relay;
     }
     return traits;
 }

@@ -7,11 +7,16 @@
 namespace infra {
 namespace {
 
-/// Share of the primary ray's radiance that this ray's makes up, as a factor for each channel.
+/// Share of the primary ray's radiance that the radiance where this ray ends makes up, as a factor for each
+/// channel.
 Spectrum contribution(const Interaction& at) {
-    Spectrum product(at.channels(), 1.0f);
-    for (const Interaction* link = &at; link; link = link->ray->parent)
+    Spectrum product(at.channels(), 1.0f), left(at.channels());
+    for (const Interaction* link = &at; link; link = link->ray->parent) {
         product *= link->ray->coefficient * static_cast<float>(link->share);
+        if (!link->medium) continue;
+        link->medium->transmittance(link->distance, left);
+        product *= left;
+    }
     return product;
 }
 
@@ -54,9 +59,9 @@ constexpr OutputLetter letters[] = {
     {'L', "first_length", 1, false, [](const Scene&, const Hit& at, Out& out) { out.real(at.distance); }},
     // Only meshes have local coordinates.
     {'c', "local_coordinates", 2, false,
-     [](const Scene&, const Hit&, Out& out) {
-         out.real(0);
-         out.real(0);
+     [](const Scene&, const Hit& at, Out& out) {
+         out.real(at.local_uv[0]);
+         out.real(at.local_uv[1]);
      }},
     {'p', "point", 3, false, [](const Scene&, const Hit& at, Out& out) { out.vector(at.point); }},
     {'n', "normal", 3, true,

@@ -14,6 +14,7 @@ LoadedScene load_scene(const std::string& octree, const RenderOptions& options, 
     OctreeFile file = load_octree(octree, warn);
     LoadedScene loaded;
     loaded.header = std::move(file.header);
+    loaded.cube = file.cube;
     loaded.scene = CompiledScene::compile(std::move(file.scene), options.settings, options.channels(),
                                           options.definitions);
     return loaded;

@@ -9,6 +9,7 @@
 #include "rt/compile/compiled_scene.h"
 #include "rt/programs/render_options.h"
 #include "rt/tracer.h"
+#include "scene/octree.h"
 #include "scene/warnings.h"
 
 namespace infra {
@@ -16,6 +17,7 @@ namespace infra {
 struct LoadedScene {
     std::shared_ptr<const CompiledScene> scene;
     std::vector<std::string> header;  ///< of the octree: how it came about
+    Cube cube;                        ///< around the scene
 };
 
 /// Reads and compiles an octree: a file, "!command", or "" for the standard input. The scene's own warnings,

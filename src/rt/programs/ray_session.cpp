@@ -24,7 +24,7 @@ constexpr double irradiance_offset = 1.1e-4;
 
 class RaySession {
   public:
-    RaySession(const CompiledScene& scene, const RtraceOptions& options, const OutputSpec& spec,
+    RaySession(const CompiledScene& scene, IrradianceCache* cache, const RtraceOptions& options, const OutputSpec& spec,
                std::FILE* input, std::FILE* output)
         : scene_(scene),
           options_(options),
@@ -35,6 +35,7 @@ class RaySession {
           workers_(spec.has_tree() ? 1 : options.threads) {
         for (int i = 0; i < workers_.count(); ++i)
             tracers_.push_back(std::make_unique<Tracer>(scene, options.render.settings));
+        for (const auto& tracer : tracers_) tracer->use_irradiance_cache(cache);
         // A person who types rays wants each one answered.
         if (!isatty(fileno(input)))
             batch_size_ = rays_a_piece * pieces_a_thread * static_cast<std::size_t>(workers_.count());
@@ -152,9 +153,9 @@ class RaySession {
 
 }  // namespace
 
-void answer_rays(const CompiledScene& scene, const RtraceOptions& options, const OutputSpec& spec,
+void answer_rays(const CompiledScene& scene, IrradianceCache* cache, const RtraceOptions& options, const OutputSpec& spec,
                  std::FILE* input, std::FILE* output, const WarningSink& warn) {
-    RaySession(scene, options, spec, input, output).run(warn);
+    RaySession(scene, cache, options, spec, input, output).run(warn);
 }
 
 }  // namespace infra

@@ -9,8 +9,9 @@
 namespace infra {
 
 /// Answers every ray of `input` on `output`.
+///   cache   of diffuse interreflection, nullptr: none
 ///   throws  Error when the output cannot be written
-void answer_rays(const CompiledScene& scene, const RtraceOptions& options, const OutputSpec& spec,
+void answer_rays(const CompiledScene& scene, IrradianceCache* cache, const RtraceOptions& options, const OutputSpec& spec,
                  std::FILE* input, std::FILE* output, const WarningSink& warn);
 
 }  // namespace infra

@@ -41,6 +41,7 @@ Frame render_frame(const CompiledScene& scene, const RenderSettings& settings, c
     std::vector<std::unique_ptr<Painter>> painters;
     for (int i = 0; i < workers.count(); ++i)
         painters.push_back(std::make_unique<Painter>(scene, settings, view, options, grid, frame));
+    for (const auto& painter : painters) painter->pixels.tracer().use_irradiance_cache(options.cache);
 
     // Each pass reads only what the one before has finished.
     const int lines = static_cast<int>(grid.rows().size());

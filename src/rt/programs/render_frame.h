@@ -15,9 +15,11 @@ struct FrameOptions {
     int sample_spacing = 1;      ///< see SampleGrid; 1 traces every pixel
     double sample_contrast = 0;  ///< see GapFiller
     bool want_depth = false;
+    IrradianceCache* cache = nullptr;  ///< of diffuse interreflection, for all threads; nullptr: none
 };
 
-/// Renders a view that is set up. The same bits for any number of workers.
+/// Renders a view that is set up. The same bits for any number of workers if there is no
+/// cache; what one holds depends on which worker comes first.
 ///   progress  counts width x height pixels
 ///   faults    what went wrong on the way is added
 ///   throws    Error "interrupted" after a signal

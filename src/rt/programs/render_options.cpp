@@ -13,14 +13,6 @@ std::function<std::string()> fixed(std::string text) {
     return [text = std::move(text)] { return text; };
 }
 
-/// An option that is taken and has no effect: -help says why, -defaults keeps RADIANCE's words.
-void has_no_effect(OptionRow& row, const std::string& why) {
-    row.remark(fixed(row.help));
-    row.help += " (no effect: " + why + ")";
-}
-
-constexpr const char* no_cache = "every hemisphere is computed, as with -aa 0";
-
 void add_names(NameFilter& filter, NameFilter::Mode mode, const std::vector<std::string>& names) {
     if (filter.mode != mode) filter = {mode, {}};
     filter.names.insert(filter.names.end(), names.begin(), names.end());
@@ -32,42 +24,51 @@ void add_direct_rows(OptionTable& table, RenderOptions& options) {
     table.real("-dc", &settings.shadow_certainty, "direct certainty");
     table.real("-dj", &settings.source_jitter, "direct jitter");
     table.real("-ds", &settings.source_size_ratio, "direct sampling");
-    const std::string no_relays = "scenes with mirror or prism are refused so far";
-    has_no_effect(table.integer("-dr", &settings.direct_relays, "direct relays"), no_relays);
-    has_no_effect(table.integer("-dp", &settings.direct_pretest, "direct pretest density"), no_relays);
+    table.integer("-dr", &settings.direct_relays, "direct relays");
+    table.integer("-dp", &settings.direct_pretest, "direct pretest density");
     table.toggle("-dv", &settings.sources_visible, "direct visibility");
+}
+
+/// Three numbers, as -defaults lists them: three times `number`.
+void add_color_row(OptionTable& table, const char* spelling, float (&target)[3], const char* number,
+                   const char* help) {
+    table
+        .custom(
+            spelling, "fff",
+            [&target](const OptionValues& given) {
+                for (std::size_t c = 0; c < 3; ++c) target[c] = static_cast<float>(given.real(c));
+            },
+            help)
+        .named("red green blue")
+        .shown([&target, number, spelling = std::string(spelling)] {
+            std::string text = spelling;
+            for (const float value : target) text += " " + formatted(number, double(value));
+            return text;
+        });
 }
 
 void add_ambient_rows(OptionTable& table, RenderOptions& options) {
     RenderSettings& settings = options.settings;
-    table
-        .custom(
-            "-av", "fff",
-            [&settings](const OptionValues& given) {
-                for (int c = 0; c < 3; ++c) settings.ambient_value[c] = static_cast<float>(given.real(c));
-            },
-            "ambient value")
-        .named("red green blue")
-        .shown([&settings] {
-            const auto& value = settings.ambient_value;
-            return formatted("-av %f %f %f", double(value[0]), double(value[1]), double(value[2]));
-        });
-    has_no_effect(table.integer("-aw", &settings.ambient_value_weight, "ambient value weight"), no_cache);
+    add_color_row(table, "-av", settings.ambient_value, "%f", "ambient value");
+    table.integer("-aw", &settings.ambient_value_weight, "ambient value weight");
     table.integer("-ab", &settings.ambient_bounces, "ambient bounces");
-    has_no_effect(table.real("-aa", &settings.ambient_accuracy, "ambient accuracy"), no_cache);
-    has_no_effect(table.integer("-ar", &settings.ambient_resolution, "ambient resolution"), no_cache);
+    table.real("-aa", &settings.ambient_accuracy, "ambient accuracy");
+    table.integer("-ar", &settings.ambient_resolution, "ambient resolution");
     table.integer("-ad", &settings.ambient_divisions, "ambient divisions");
     table.integer("-as", &settings.ambient_super_samples, "ambient super-samples");
+    table
+        .custom(
+            "-af", "s", [&settings](const OptionValues& given) { settings.ambient_file = given.text(0); },
+            "ambient file: cached values of other runs are read, new ones added")
+        .named("file");
     add_name_filter(table, "-a", settings.ambient_filter, "in indirect light");
 }
 
-void add_mist_rows(OptionTable& table) {
-    const std::string reason = "participating media are not built yet, only 0 is taken";
-    add_zero_option(table, "-me", "fff", "-me 0.00e+00 0.00e+00 0.00e+00", "mist extinction coefficient",
-                    reason);
-    add_zero_option(table, "-ma", "fff", "-ma 0.000000 0.000000 0.000000", "mist scattering albedo", reason);
-    add_zero_option(table, "-mg", "f", "-mg 0.000000", "mist scattering eccentricity", reason);
-    add_zero_option(table, "-ms", "f", "-ms 0.000000", "mist sampling distance", reason);
+void add_mist_rows(OptionTable& table, RenderSettings& settings) {
+    add_color_row(table, "-me", settings.extinction, "%.2e", "mist extinction coefficient");
+    add_color_row(table, "-ma", settings.scattering_albedo, "%f", "mist scattering albedo");
+    table.real("-mg", &settings.scattering_eccentricity, "mist scattering eccentricity");
+    table.real("-ms", &settings.medium_step, "mist sampling distance");
 }
 
 void add_air_row(OptionTable& table, RenderSettings& settings) {
@@ -142,7 +143,6 @@ void add_refused_rows(OptionTable& table) {
     table.unsupported("-am", "f", photons);
     table.unsupported("-ac", "i", photons);
     table.unsupported("-aC", "i", photons);
-    table.unsupported("-af", "s", "there is no cache of indirect light to keep in a file yet");
     table.unsupported("-P", "s", persistence);
     table.unsupported("-PP", "s", persistence);
     table.unsupported("-features", "", "-help lists what there is");
@@ -198,7 +198,7 @@ void add_render_options(OptionTable& table, RenderOptions& options) {
     table.real("-ss", &settings.specular_samples, "specular sampling");
     table.real("-st", &settings.specular_threshold, "specular threshold");
     add_ambient_rows(table, options);
-    add_mist_rows(table);
+    add_mist_rows(table, settings);
     add_air_row(table, settings);
     add_channel_rows(table, options);
     add_limit_rows(table, settings);

@@ -7,6 +7,7 @@
 #include "common/error.h"
 #include "common/format.h"
 #include "common/interrupt.h"
+#include "rt/programs/ambient_setup.h"
 #include "rt/programs/picture_output.h"
 #include "rt/programs/render_frame.h"
 #include "rt/programs/rpict_options.h"
@@ -55,7 +56,10 @@ int rpict(int argc, char** argv) {
 
     const LoadedScene loaded = load_scene(operands->empty() ? "" : operands->front(), options.render, warn);
     for (const std::string& warning : loaded.scene->warnings()) warn(warning);
-    const FrameOptions size = frame_options(options, warn);
+    FrameOptions size = frame_options(options, warn);
+    const auto cache = open_irradiance_cache(loaded, options.render, table.program(),
+                                             operands->empty() ? "" : operands->front(), warn);
+    size.cache = cache.get();
     const InterruptGuard guard;
     Workers workers(options.threads);
     Progress progress(table.program(), static_cast<std::uint64_t>(size.width) * size.height,
@@ -64,6 +68,7 @@ int rpict(int argc, char** argv) {
     Frame frame =
         render_frame(*loaded.scene, options.render.settings, options.view, size, workers, progress, faults);
     progress.finish();
+    if (cache) cache->flush();
     throw_if_interrupted();
 
     write_frame(std::move(frame), *loaded.scene, options, header_lines(loaded.header, table.command_line()),

@@ -5,6 +5,7 @@
 
 #include "common/error.h"
 #include "common/format.h"
+#include "rt/programs/ambient_setup.h"
 #include "rt/programs/ray_session.h"
 #include "rt/programs/rtrace_options.h"
 
@@ -44,6 +45,7 @@ int rtrace(int argc, char** argv) {
     const LoadedScene loaded = load_scene(operands->front(), options.render, warn);
     if (spec.needs_radiance())
         for (const std::string& warning : loaded.scene->warnings()) warn(warning);
+    const auto cache = open_irradiance_cache(loaded, options.render, table.program(), operands->front(), warn);
     std::string opening;
     if (options.header)
         opening = header_text(header_lines(loaded.header, table.command_line()), options, spec,
@@ -52,7 +54,8 @@ int rtrace(int argc, char** argv) {
         opening += formatted("-Y %8d +X %8d\n", options.height, options.width);
     std::fwrite(opening.data(), 1, opening.size(), stdout);
     if (options.width > 0 && options.height <= 0) std::fflush(stdout);
-    answer_rays(*loaded.scene, options, spec, stdin, stdout, warn);
+    answer_rays(*loaded.scene, cache.get(), options, spec, stdin, stdout, warn);
+    if (cache) cache->flush();
     return 0;
 }
 

@@ -12,14 +12,13 @@
 
 #include "rt/materials/scattering.h"
 #include "rt/scratch.h"
-#include "rt/sources/source_parts.h"
+#include "rt/sources/source_aim.h"
 #include "rt/tracer.h"
 
 namespace infra {
 namespace {
 
 constexpr double tiny = 1e-6;
-constexpr double least_projection = 1e-4;  // of a part: smaller ones are edge-on
 
 }  // namespace
 
@@ -69,91 +68,51 @@ void Tracer::add_direct(const Scattering& scattering, Interaction& at) {
 
 void Tracer::consider_source(int number, const Scattering& scattering, const Interaction& at) {
     const LightSource& source = scene_.source(number);
-    if (source.is_glow && source.extent != LightSource::Extent::distant) {
-        const double reach = source.reach + source.radius;
-        const Vec3 offset = at.point - source.center;
-        if (dot(offset, offset) > reach * reach) return;
-    }
+    if (is_out_of_reach(source, at.point)) return;
     Parts parts;
     divide_source(source, at.point, at.weight, settings_.source_size_ratio, parts);
-    const double jitter = settings_.source_jitter;
     for (int p = 0; p < parts.count; ++p) {
         const Part& part = parts.part[p];
-        double offset[3] = {part.center[0], part.center[1], 0};
-        if (jitter > tiny) {
-            offset[0] += jitter * (1 - 2 * random_.uniform()) * part.half[0];
-            offset[1] += jitter * (1 - 2 * random_.uniform()) * part.half[1];
-            if (source.extent != LightSource::Extent::flat) offset[2] += jitter * (1 - 2 * random_.uniform());
-        }
-        if (source.round && (parts.count > 1 || jitter > 0.7)) round_off(source, jitter > tiny, offset);
-        const Vec3 target = source.center + source.half_axis[0] * offset[0] +
-                            source.half_axis[1] * offset[1] + source.half_axis[2] * offset[2];
-        add_sample(number, scattering, at, target, part.half[0] * part.half[1]);
+        const Vec3 place = place_on(source, part, parts.count == 1, settings_.source_jitter, random_);
+        SourceAim aim;
+        if (aim_at(source, at.point, place, part.half[0] * part.half[1], aim))
+            add_sample(number, aim, scattering, at);
     }
 }
 
-// Aims at one place of a source; share: of the source that it stands for.
-void Tracer::add_sample(int number, const Scattering& scattering, const Interaction& at, const Vec3& target,
-                        double share) {
-    const LightSource& source = scene_.source(number);
-    const bool at_infinity = source.extent == LightSource::Extent::distant;
-    const Vec3 offset = at_infinity ? target : target - at.point;
-    const double distance = length(offset);
-    if (!(distance > 0)) return;
-    const Vec3 direction = offset / distance;
-
-    double omega = share;
-    if (at_infinity) {
-        omega *= source.size;
-    } else {
-        if (source.extent == LightSource::Extent::flat) {
-            omega *= -dot(source.normal, direction);
-        } else if (source.extent == LightSource::Extent::cylinder) {
-            const Vec3& axis = source.half_axis[0];
-            const double along = dot(direction, axis);
-            omega *= std::sqrt(std::max(0.0, 1.0 - along * along / dot(axis, axis)));
-        }
-        if (omega <= least_projection) return;
-        if (source.is_glow && distance > source.reach) return;
-        omega *= source.size / (distance * distance);
-    }
-    if (source.is_spot) {
-        if (source.beam.misses(direction)) return;
-        if (!at_infinity) {  // the beam spreads from its focus behind the source
-            const double from_focus = distance + source.beam.focal_length;
-            omega *= distance * distance / (from_focus * from_focus);
-        }
-    }
+void Tracer::add_sample(int number, const SourceAim& aim, const Scattering& scattering,
+                        const Interaction& at) {
     Contribution contribution{
-        number, direction, infinite_distance, Spectrum(at.channels()), Spectrum(at.channels()), 0};
-    scattering.eval(direction, omega, contribution.coefficient);
-    contribution.coefficient *= static_cast<float>(omega);
+        number, aim.direction, infinite_distance, Spectrum(at.channels()), Spectrum(at.channels()), 0};
+    scattering.eval(aim.direction, aim.omega, contribution.coefficient);
+    contribution.coefficient *= static_cast<float>(aim.omega);
     if (contribution.coefficient.maximum() <= 0 || !source_value(contribution, at)) return;
     scratch_->contributions.push_back(contribution);
 }
 
 // What the source shows towards the point if nothing stands in between. False for black.
 bool Tracer::source_value(Contribution& contribution, const Interaction& at) {
-    const LightSource& source = scene_.source(contribution.source);
     Ray ray(at.channels());
     if (!spawn(ray, reflected_shadow, at, nullptr)) return false;
     ray.direction = contribution.direction;
     ray.aimed_source = contribution.source;
+    ray.past_obstacles = true;
     Interaction seen(ray);
-    if (source.extent == LightSource::Extent::distant) {
-        if (!meet_distant_source(seen)) return false;
-    } else {
-        HitState state;
-        if (!scene_.geometry().intersect_one(scene_.geometry().shape_of(source.surface), ray.origin,
-                                             ray.direction, state))
-            return false;
-        complete_hit(state, seen);
-        contribution.distance = state.distance;
-    }
-    shade_chain(source.modifier, seen);
+    if (!view_source(seen)) return false;
+    contribution.distance = seen.distance;
     contribution.value = seen.radiance * contribution.coefficient;
     contribution.brightness = contribution.value.brightness();
     return contribution.brightness > 0;
+}
+
+// Shades the source that a ray is aimed at, or the mirror that it is seen in, whatever stands in the way.
+bool Tracer::view_source(Interaction& at) {
+    const LightSource& source = scene_.source(at.ray->aimed_source);
+    const bool at_infinity = source.distant() && !source.is_virtual();
+    if (at_infinity ? !meet_distant_source(at) : !meet(source.surface, at)) return false;
+    shade_chain(source.modifier, at);
+    if (at.medium) participate(at);
+    return true;
 }
 
 // Whether any of the source's light arrives; filters on the way colour it.
@@ -165,26 +124,28 @@ bool Tracer::test_shadow(Contribution& contribution, const Interaction& at) {
     ray.direction = contribution.direction;
     ray.aimed_source = contribution.source;
     ray.coefficient = contribution.coefficient;
+    const bool ends_here = !source.is_virtual();
     if (!observer_) {
         const Geometry::View view =
             scene_.geometry().view(ray.origin, ray.direction, contribution.distance, ray.leaving);
-        if (view != Geometry::View::filtered) {
+        if (view == Geometry::View::blocked || (view == Geometry::View::clear && ends_here)) {
             ++ray_count_;
             return view == Geometry::View::clear;
         }
     }
     Interaction met(ray);
     const bool hit = intersect(met);
-    if (hit && (met.surface != source.surface || observe_shadows_)) {
+    const bool arrived = hit && ends_here && met.surface == source.surface;
+    if (hit && (!arrived || observe_shadows_)) {
         shade(met);
         if (observer_) observer_->observe(met);
-        if (met.surface == source.surface) return true;
+        if (arrived) return true;
         if (met.radiance.mean() <= tiny) return false;
+        if (met.medium) participate(met);
         contribution.value = met.radiance * contribution.coefficient;
         return true;
     }
-    if (!hit && observe_shadows_ && source.extent == LightSource::Extent::distant &&
-        meet_distant_source(met)) {
+    if (!hit && observe_shadows_ && source.distant() && meet_distant_source(met)) {
         shade_chain(source.modifier, met);
         observer_->observe(met);
     }

@@ -1,5 +1,5 @@
 // A surface that is sampled directly because it gives light: light, illum, spotlight, and glow or emissive
-// within their radius; or a distant source.
+// within their radius; or a distant source; or the image of any of these in a mirror or prism.
 #pragma once
 
 #include "common/vec.h"
@@ -15,6 +15,18 @@ struct SpotBeam {
     bool misses(const Vec3& direction) const;
 };
 
+/// The surface that a virtual source is seen in, as a disk.
+struct RelayDisk {
+    Vec3 center{0};
+    double radius = 0;
+    /// Whether a ray passes beside it. direction: unit.
+    bool missed_by(const Vec3& origin, const Vec3& direction) const {
+        const Vec3 offset = center - origin;
+        const double along = dot(offset, direction);
+        return dot(offset, offset) - along * along > radius * radius;
+    }
+};
+
 struct LightSource {
     enum class Extent {
         flat,      ///< polygon or ring: area elements along two axes
@@ -23,7 +35,7 @@ struct LightSource {
         distant,  ///< a disk at infinity
     };
 
-    int surface = -1;
+    int surface = -1;  ///< of a virtual source the mirror or prism
     Extent extent = Extent::flat;
     bool round = false;    ///< its samples are kept within a circle or ball
     bool skip = false;     ///< never sampled, only met by chance
@@ -41,6 +53,16 @@ struct LightSource {
     const Modifier* modifier = nullptr;  ///< of the surface: what gives the radiance
     bool passes_unseen = false;  ///< an illum without another material, seen through when not aimed at
     bool is_weak = false;        ///< illum or glow: an illum in the way blocks it
+
+    // Virtual sources: sources/virtual_sources.cpp
+    int parent = -1;  ///< the source that this is the image of, -1: a real one
+    int image = 0;    ///< which of the images that the surface makes of it (prism2 makes two)
+    RelayDisk disk;
+
+    bool is_virtual() const { return parent >= 0; }
+    bool distant() const { return extent == Extent::distant; }
+    /// Whether a ray aimed at this source that meets the surface has reached what shines by itself.
+    bool shines_from(int met_surface) const { return surface == met_surface && !is_virtual(); }
 };
 
 }  // namespace infra

@@ -19,7 +19,7 @@ class TexFunc final : public Modifier {
 
     bool shade(Tracer& tracer, Interaction& at) const override {
         double d[3];
-        if (bend_.evaluate(tracer, at, d)) at.perturbation += bend_.to_scene({d[0], d[1], d[2]});
+        if (bend_.evaluate(tracer, at, d)) at.perturbation += bend_.to_scene(tracer, at, {d[0], d[1], d[2]});
         return false;
     }
 

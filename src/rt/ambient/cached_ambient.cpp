@@ -1,0 +1,97 @@
+// Diffuse interreflection where values are interpolated (-aa above 0): look for cached values, or compute a
+// new one.
+#include <cmath>
+
+#include "rt/ambient/hemisphere_gatherer.h"
+#include "rt/tracer.h"
+
+namespace infra {
+namespace {
+
+constexpr double tiny = 1e-6;
+
+}  // namespace
+
+/// Looks for opaque surfaces between a hit and other points.
+class HitWallTest : public WallTest {
+  public:
+    HitWallTest(Tracer& tracer, const Interaction& at) : tracer_(tracer), at_(at) {}
+
+    bool hides(const Vec3& point) override {
+        const Vec3 way = point - at_.point;
+        const double distance = length(way);
+        if (!(distance > tiny)) return false;
+        Ray ray = tracer_.primary(at_.point, way / distance, distance);
+        ray.leaving = {at_.flat_shape, at_.placement};
+        ray.lineage |= reflected_shadow;
+        while (ray.max_distance > tiny) {
+            Interaction seen(ray);
+            tracer_.cast(seen);
+            if (!seen.hit()) return false;
+            const Finish& finish = tracer_.scene().finish(seen.surface);
+            if (finish.material && !finish.transparent()) return true;
+            ray.origin = seen.point;
+            ray.leaving = {seen.flat_shape, seen.placement};
+            ray.max_distance -= seen.distance;
+        }
+        return false;
+    }
+
+  private:
+    Tracer& tracer_;
+    const Interaction& at_;
+};
+
+bool Tracer::add_cached_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side,
+                                Interaction& at) {
+    const IrradiancePlace place{.point = at.point,
+                                .normal = other_side ? -at.normal : at.normal,
+                                .shading_normal = normal,
+                                .level = at.ray->ambient_level,
+                                .weight = at.weight};
+    HitWallTest walls(*this, at);
+    IrradianceValue value(at.channels());
+    const double weight = irradiance_cache_->interpolate(place, walls, value.radiance);
+    if (weight > tiny) {
+        value.radiance *= static_cast<float>(1 / weight);
+        at.radiance.add_product(value.radiance, coefficient);
+        return true;
+    }
+    value.radiance.clear();
+    switch (HemisphereGatherer(*this, at, place, other_side ? through_ambient : reflected_ambient)
+                .gather(irradiance_cache_->limits(), value)) {
+        case HemisphereGatherer::Outcome::nothing:
+            return false;
+        case HemisphereGatherer::Outcome::value_only:
+            break;
+        case HemisphereGatherer::Outcome::complete:
+            irradiance_cache_->add(value);
+            if (at.textured()) extrapolate(value, place, value.radiance);
+            break;
+    }
+    at.radiance.add_product(value.radiance, coefficient);
+    return true;
+}
+
+// Where the bounces end: -av, or the logarithmic mean of it (counted -aw times) and all values so far, in its
+// colour.
+const Spectrum& Tracer::assumed_ambient(Spectrum& average) const {
+    const Spectrum& given = scene_.ambient_value();
+    const int weight = settings_.ambient_value_weight;
+    const std::size_t count = irradiance_cache_ ? irradiance_cache_->lit_values() : 0;
+    if (weight <= 0 || count == 0) return given;
+    const double absorbed =
+        std::log(0.5);  // of the mean: values hold what falls on surfaces, not what leaves them
+    const double mean_log = irradiance_cache_->mean_log() + absorbed;
+    const double brightness = static_cast<double>(given.brightness());
+    if (brightness <= tiny) {
+        average.fill(static_cast<float>(std::exp(mean_log)));
+        return average;
+    }
+    const double n = static_cast<double>(count);
+    const double blend = (std::log(brightness) * weight + mean_log * n) / (weight + n);
+    average = given * static_cast<float>(std::exp(blend) / brightness);
+    return average;
+}
+
+}  // namespace infra
