@@ -13,7 +13,7 @@ FLOAT_ROUNDING = 1e-6        # relative; the standard error of what has no noise
 TEXT_ROUNDING = 1e-9         # the same for values printed with nine digits
 
 # Lobes however weak are sampled, and light paths end by Russian roulette alone, which loses no energy.
-PATHS = ("-ab", 1000, "-as", 0, "-st", 0, "-lr", 0)
+PATHS = ("-ab", 1000, "-aa", 0, "-as", 0, "-st", 0, "-lr", 0)
 SPLIT_PATHS = (*PATHS, "-ad", 64, "-lw", 2e-3)      # 64 rays from the first hit, of which each goes on alone
 
 

@@ -130,7 +130,7 @@ TEST_F(Ship, RendersItsTemperatures) {
             "oconv " +
                 scene +
                 "materials.rad frigate.rad > ship.oct &&\n"
-                "echo -7.6 0 60 0 0 -1 | rtrace -h -ab 1 -ad 64 -as 0 -ovm ship.oct");
+                "echo -7.6 0 60 0 0 -1 | rtrace -h -ab 1 -aa 0 -ad 64 -as 0 -ovm ship.oct");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
     std::istringstream words(outcome.out);
@@ -171,7 +171,7 @@ TEST(ShipsSurroundings, ScenesAndAirAreRead) {
                                          "sea_$kind.brdf > report || exit 1; done\n"
                                          "oconv sea.rad plume.rad > sea.oct &&\n"
                                          "echo 0 -2000 30 0 1 -.015 | RAYPATH=" +
-                                         scene + ": rtrace -h -mp path.air -ab 1 -ad 16 -as 0 sea.oct");
+                                         scene + ": rtrace -h -mp path.air -ab 1 -aa 0 -ad 16 -as 0 sea.oct");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
     EXPECT_NEAR(std::stod(outcome.out), band_radiance(287, 3, 5), 0.15);

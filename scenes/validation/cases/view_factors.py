@@ -94,7 +94,7 @@ def results(bench):
     for name, what, shape, place, places, divisions, closed, figure in cases:
         octree = bench.octree(name, SCENE.format(shape=shape))
         rays = [place(*point) for _ in range(GROUPS) for point in bench.lattice(places)]
-        irradiances = bench.trace(octree, rays, "-I", "-ab", 1, "-ad", divisions, "-as", 0, "-lw", 1e-12)
+        irradiances = bench.trace(octree, rays, "-I", "-ab", 1, "-aa", 0, "-ad", divisions, "-as", 0, "-lw", 1e-12)
         factor = mean_of_groups(irradiances, places) * (1 / math.pi)
         rows.append(Result(what, "", closed, factor.mean, factor.error, BAR, figure))
     return rows
