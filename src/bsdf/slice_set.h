@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "bsdf/disk_square.h"
+#include "common/disk_square.h"
 #include "bsdf/tensor_tree.h"
 
 namespace infra {

@@ -221,23 +221,13 @@ void Tracer::pass_through(Interaction& at) {
 }
 
 void Tracer::pass_into(const Medium* beyond, Interaction& at) {
-    const Spectrum unchanged(at.channels(), 1.0f);
-    Ray child(at.channels());
-    if (!spawn(child, through_ray, at, &unchanged)) return;
-    child.direction = at.ray->direction;
-    child.medium = beyond;
-    Interaction seen(child);
-    SkyView sky(at.sky ? at.channels() : 1);
-    if (at.sky) seen.sky = &sky;
-    trace(seen);
-    if (at.sky) {
-        at.sky->radiance.add_product(sky.radiance, child.coefficient);
-        at.sky->share.add_product(sky.share, child.coefficient);
-    }
-    at.radiance = seen.radiance * child.coefficient;
-    at.mirrored = seen.mirrored * child.coefficient;
-    at.mirrored_distance = at.distance + seen.mirrored_distance;
-    at.direct_distance = at.distance + seen.direct_distance;
+    Scattering clear(at.normal, at.channels());
+    clear.through_coefficient.fill(1.0f);
+    clear.through_direction = at.ray->direction;
+    clear.as_clear_as_air = true;
+    clear.changes_medium = true;
+    clear.medium_beyond = beyond;
+    trace_through(clear, at);
 }
 
 bool Tracer::stack_is_used_up() const {

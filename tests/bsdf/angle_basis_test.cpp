@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "bsdf/disk_square.h"
+#include "common/disk_square.h"
 #include "common/random.h"
 
 namespace infra {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bsdf/angle_basis.h"
-#include "bsdf/disk_square.h"
+#include "common/disk_square.h"
 
 namespace infra::test {
 

@@ -1,5 +1,5 @@
-// The unit square mapped to the unit disk without change of relative areas, in which tensor trees store
-// directions: a direction is the point of the disk below it, so that areas are projected solid angles.
+// The unit square mapped to the unit disk without change of relative areas. Seen as the points below directions of a
+// hemisphere, areas of the disk are projected solid angles: tensor trees store directions so.
 //
 // source: Shirley & Chiu, "A Low Distortion Map Between Disk and Square", JGT 2 (1997).
 #pragma once

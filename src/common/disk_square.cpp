@@ -1,4 +1,4 @@
-#include "bsdf/disk_square.h"
+#include "common/disk_square.h"
 
 #include <algorithm>
 #include <cmath>
