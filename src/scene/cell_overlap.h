@@ -1,9 +1,11 @@
-// Does a surface touch a cubic cell? Never says no to one that does; may say yes to a near miss.
+// Does a surface touch a cubic cell? By RADIANCE's rules to their tolerances, so that oconv's trees are the
+// same.
 #pragma once
 
 #include <vector>
 
 #include "scene/instance_box.h"
+#include "scene/octant_overlap.h"
 #include "scene/octree.h"
 #include "scene/scene.h"
 
@@ -15,23 +17,34 @@ enum class Overlap {
     contained,  ///< the whole cell lies inside a volume (instance, mesh)
 };
 
+/// For each octant of a cell a bit.
+struct OctantBits {
+    unsigned touched = 0;    ///< partial or contained
+    unsigned contained = 0;  ///< contained
+
+    Overlap operator[](int branch) const {
+        if (contained >> branch & 1) return Overlap::contained;
+        return touched >> branch & 1 ? Overlap::partial : Overlap::none;
+    }
+};
+
 class CellOverlap {
   public:
-    /// `smallest`: size of the smallest cell that will be asked for.
+    /// `smallest`: half of a cone's cell is not divided further when it is smaller than this.
     CellOverlap(const Scene& scene, InstanceBoxes& instances, double smallest)
         : scene_(scene), instances_(instances), smallest_(smallest) {}
 
-    /// The surface must be usable (check_surface).
+    /// Which octants of `cell` a surface touches; `polygons` is for the same cell. The surface must be usable
+    /// (check_surface).
+    OctantBits octants(PrimitiveId id, const Cube& cell, const OctantOverlap& polygons);
+    /// The cell as a whole.
     Overlap operator()(PrimitiveId id, const Cube& cell);
 
   private:
-    bool polygon(std::span<const double> corners, const Cube& cell);
-    bool clipped_polygon_remains(std::span<const double> corners, const Cube& cell);
-
     const Scene& scene_;
     InstanceBoxes& instances_;
     double smallest_;
-    std::vector<Vec3> clipped_, clipping_;
+    std::vector<Vec3> corners_;
 };
 
 }  // namespace infra

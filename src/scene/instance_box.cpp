@@ -8,7 +8,7 @@ namespace infra {
 std::array<Vec3, 8> InstanceBox::corners() const {
     std::array<Vec3, 8> result;
     for (int i = 0; i < 8; ++i)
-        result[i] = to_world.point(cube.origin + cube.size * Vec3(i & 1, i >> 1 & 1, i >> 2 & 1));
+        result[i] = to_world.point(cube.corner(i));
     return result;
 }
 
@@ -31,6 +31,7 @@ const InstanceBox& InstanceBoxes::at(PrimitiveId id) {
         const auto transform_words = scene_.strings(id).subspan(1);
         if (parse_transform(transform_words, entry->second.to_world) != transform_words.size())
             throw scene_.error(id, "bad transform");
+        entry->second.to_local = entry->second.to_world.inverse();
         entry->second.cube = cube_of_file(id);
     }
     return entry->second;

@@ -14,7 +14,7 @@ namespace infra {
 /// Cube of an octree or mesh file, and where the instance puts it.
 struct InstanceBox {
     Cube cube;  ///< in the file's own coordinates
-    Transform to_world;
+    Transform to_world, to_local;
 
     /// The 8 corners in world coordinates, numbered as Cube::octant.
     std::array<Vec3, 8> corners() const;

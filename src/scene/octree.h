@@ -21,6 +21,8 @@ struct Cube {
         const double half = 0.5 * size;
         return {origin + half * Vec3(branch & 1, branch >> 1 & 1, branch >> 2 & 1), half};
     }
+    /// Corner number `i`, numbered as octants.
+    Vec3 corner(int i) const { return origin + size * Vec3(i & 1, i >> 1 & 1, i >> 2 & 1); }
     Vec3 center() const { return origin + Vec3(0.5 * size); }
 };
 

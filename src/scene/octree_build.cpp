@@ -10,9 +10,16 @@
 namespace infra {
 namespace {
 
-/// Surfaces that after this many divisions all still share one cell (coincident ones, or those round a vertex
-/// of a mesh) are left in it: dividing down to the resolution would only multiply cells.
+/// Surfaces that divisions do not part, because they coincide or meet in an edge, are divided down to the
+/// resolution as in RADIANCE: byte for byte the same tree. But not without end: when that has taken so many
+/// cells, further ones are left as they are after a few divisions.
 constexpr int most_fruitless_divisions = 6;
+constexpr int most_fruitless_cells = 1 << 20;
+
+/// Smallest cell that is ever divided, scene units: within the tolerances of the tests for overlap, where
+/// dividing parts nothing. RADIANCE does not stop there in scenes smaller than 2 cm and its default
+/// resolution.
+constexpr double smallest_divided = 1e-7;
 
 /// No coordinate may be larger: their products must stay within double. RADIANCE sees nothing beyond 1e10.
 constexpr double largest_coordinate = 1e15;
@@ -24,34 +31,38 @@ class Builder {
         : tree_(tree),
           scene_(scene),
           most_(static_cast<std::size_t>(limits.objects)),
-          smallest_(cube.size / limits.resolution * (1 - 1e-6)),
+          smallest_(std::max(cube.size / limits.resolution - tiny_length, smallest_divided)),
           overlap_(scene, instances, smallest_),
           warn_(warn) {}
 
     /// Node for `cell`, which holds `old`, with `added` (ascending, after all old ones) put in where they
     /// touch it.
     OctreeNode insert(OctreeNode old, const Cube& cell, std::span<const PrimitiveId> added) {
-        for (const PrimitiveId id : added) push_if_touching({id, false}, cell);
+        for (const PrimitiveId id : added) push_if_touching(id, overlap_(id, cell));
         return build(old, cell, 0, 0);
     }
 
   private:
+    /// A surface or volume that touches a cell. A cell's members stand in the order in which they come to it:
+    /// that decides whether it is divided, as volumes that contain it do not ask for that.
     struct Member {
         PrimitiveId id;
-        bool contained;  ///< the cell lies inside this volume: dividing the cell changes nothing for it
+        bool contained;  ///< the cell lies inside this volume
     };
 
-    void push_if_touching(Member member, const Cube& cell) {
-        if (!member.contained) {
-            const Overlap overlap = overlap_(member.id, cell);
-            if (overlap == Overlap::none) return;
-            member.contained = overlap == Overlap::contained;
-        }
-        members_.push_back(member);
+    bool is_volume(PrimitiveId id) const { return scene_.type_info(id).kind == PrimitiveKind::volume; }
+    void push_if_touching(PrimitiveId id, Overlap overlap) {
+        if (overlap == Overlap::none) return;
+        members_.push_back({id, overlap == Overlap::contained});
+        volumes_ = volumes_ || is_volume(id);
     }
 
     OctreeNode build(OctreeNode old, const Cube& cell, std::size_t begin, int fruitless);
     OctreeNode divide(OctreeNode old, const Cube& cell, std::size_t begin, int fruitless);
+    std::size_t put_before(OctreeNode leaf, const Cube& cell, std::size_t begin);
+    bool may_divide(const Cube& cell, int fruitless) const;
+    std::size_t dividing_member(std::size_t begin, std::size_t known, bool divisible);
+    void order_for_octants(std::size_t begin, std::size_t dividing);
     OctreeNode make_leaf(std::size_t begin);
 
     Octree& tree_;
@@ -61,55 +72,100 @@ class Builder {
     CellOverlap overlap_;
     const WarningSink& warn_;
     std::vector<Member> members_;  // of the cells on the way from the root, the current one's last
+    std::vector<OctantBits> octants_;
     std::vector<PrimitiveId> set_;
+    bool volumes_ = false;
     bool warned_ = false;
+    int fruitless_cells_ = 0;
 };
+
+bool Builder::may_divide(const Cube& cell, int fruitless) const {
+    if (0.5 * cell.size < smallest_) return false;
+    return fruitless < most_fruitless_divisions || fruitless_cells_ < most_fruitless_cells;
+}
+
+/// Puts what a leaf holds before members_[begin..]; returns their number.
+std::size_t Builder::put_before(OctreeNode leaf, const Cube& cell, std::size_t begin) {
+    std::vector<Member> known;
+    for (const PrimitiveId id : tree_.set(leaf))
+        known.push_back({id, is_volume(id) && overlap_(id, cell) == Overlap::contained});
+    members_.insert(members_.begin() + std::ptrdiff_t(begin), known.begin(), known.end());
+    return known.size();
+}
+
+/// The first of members_[begin..] that finds the cell full, where the first `known` are there already;
+/// members_.size() if none does. Members for which there is no room are dropped.
+std::size_t Builder::dividing_member(std::size_t begin, std::size_t known, bool divisible) {
+    std::size_t i = begin + known;
+    while (i < members_.size()) {
+        const std::size_t held = i - begin;
+        const bool full = held > 0 && held >= most_ && divisible && !members_[i].contained;
+        if (full) return i;
+        if (held < Octree::largest_set) {
+            ++i;
+            continue;
+        }
+        const std::string what =
+            "left out of a cell that holds " + std::to_string(Octree::largest_set) + " surfaces already";
+        if (!std::exchange(warned_, true))
+            warn_(scene_.error(members_[i].id, what, "others may be too").what());
+        members_.erase(members_.begin() + std::ptrdiff_t(i));
+    }
+    return i;
+}
+
+/// What a divided cell hands on: the surfaces that it held and the one that divided it, the volumes that
+/// reach into it, those that contain it; then those that come after.
+void Builder::order_for_octants(std::size_t begin, std::size_t dividing) {
+    if (!volumes_) return;
+    const PrimitiveId divider = members_[dividing].id;
+    const auto key = [&](const Member& m) {
+        const int rank = m.id == divider ? 1 : !is_volume(m.id) ? 0 : m.contained ? 3 : 2;
+        return std::pair(rank, m.id);
+    };
+    std::sort(members_.begin() + std::ptrdiff_t(begin), members_.begin() + std::ptrdiff_t(dividing) + 1,
+              [&](const Member& a, const Member& b) { return key(a) < key(b); });
+}
 
 /// The new members of the cell are members_[begin..]; `fruitless` divisions have not made them fewer.
 OctreeNode Builder::build(OctreeNode old, const Cube& cell, std::size_t begin, int fruitless) {
     if (members_.size() == begin) return old;
     if (Octree::is_inner(old)) return divide(old, cell, begin, fruitless);
-    if (Octree::is_leaf(old)) {
-        const auto added = std::vector<Member>(members_.begin() + std::ptrdiff_t(begin), members_.end());
-        members_.resize(begin);
-        for (const PrimitiveId id : tree_.set(old)) {
-            const bool volume = scene_.type_info(id).kind == PrimitiveKind::volume;
-            members_.push_back({id, volume && overlap_(id, cell) == Overlap::contained});
-        }
-        members_.insert(members_.end(), added.begin(), added.end());
-    }
-    const auto divisible = std::count_if(members_.begin() + std::ptrdiff_t(begin), members_.end(),
-                                         [](const Member& m) { return !m.contained; });
-    if (std::size_t(divisible) <= most_ || 0.5 * cell.size < smallest_ ||
-        fruitless >= most_fruitless_divisions)
-        return make_leaf(begin);
+    const std::size_t known = Octree::is_leaf(old) ? put_before(old, cell, begin) : 0;
+    const std::size_t dividing = dividing_member(begin, known, may_divide(cell, fruitless));
+    if (dividing == members_.size()) return make_leaf(begin);
+    order_for_octants(begin, dividing);
     return divide(empty_node, cell, begin, fruitless);
 }
 
 OctreeNode Builder::divide(OctreeNode old, const Cube& cell, std::size_t begin, int fruitless) {
-    const std::size_t end = members_.size();
+    if (fruitless >= most_fruitless_divisions) ++fruitless_cells_;
+    const std::size_t end = members_.size(), count = end - begin, first_octants = octants_.size();
+    const OctantOverlap polygons(cell);
+    std::array<std::size_t, 8> counts{};
+    for (std::size_t i = begin; i < end; ++i) {
+        const OctantBits bits = overlap_.octants(members_[i].id, cell, polygons);
+        octants_.push_back(bits);
+        for (int branch = 0; branch < 8; ++branch) counts[branch] += bits.touched >> branch & 1;
+    }
+    const int if_undivided = std::ranges::count(counts, count) > 1 ? fruitless + 1 : 0;
     std::array<OctreeNode, 8> children;
     for (int branch = 0; branch < 8; ++branch) {
-        const Cube octant = cell.octant(branch);
-        for (std::size_t i = begin; i < end; ++i) push_if_touching(Member(members_[i]), octant);
+        for (std::size_t i = 0; i < count && counts[branch] > 0; ++i)
+            push_if_touching(members_[begin + i].id, octants_[first_octants + i][branch]);
         const OctreeNode before = Octree::is_inner(old) ? tree_.child(old, branch) : empty_node;
-        const bool fewer = members_.size() - end < end - begin;
-        children[branch] = build(before, octant, end, fewer ? 0 : fruitless + 1);
+        children[branch] =
+            build(before, cell.octant(branch), end, counts[branch] == count ? if_undivided : 0);
         members_.resize(end);
     }
+    octants_.resize(first_octants);
     return tree_.add_inner(children);
 }
 
 OctreeNode Builder::make_leaf(std::size_t begin) {
     set_.clear();
     for (std::size_t i = begin; i < members_.size(); ++i) set_.push_back(members_[i].id);
-    if (set_.size() > Octree::largest_set) {
-        const PrimitiveId lost = set_[Octree::largest_set];
-        const std::string what =
-            "left out of a cell that holds " + std::to_string(Octree::largest_set) + " surfaces already";
-        if (!std::exchange(warned_, true)) warn_(scene_.error(lost, what, "others may be too").what());
-        set_.resize(Octree::largest_set);
-    }
+    if (volumes_) std::ranges::sort(set_);
     return tree_.add_leaf(set_);
 }
 
@@ -124,9 +180,10 @@ Cube bounding_cube(const Scene& scene, PrimitiveId first) {
         box.add(surface_box(scene, id, instances));
     }
     if (box.empty()) return {};
-    const Vec3 extent = box.high - box.low;
-    const double size = std::max({extent.x, extent.y, extent.z}) + 2 * cube_margin;
-    return {0.5 * (box.low + box.high - Vec3(size)), size};
+    const Vec3 low = box.low - cube_margin, high = box.high + cube_margin;
+    const Vec3 extent = high - low;
+    const double size = std::max({extent.x, extent.y, extent.z});
+    return {(high + low - size) * 0.5, size};
 }
 
 void add_to_octree(Octree& tree, const Cube& cube, const Scene& scene, PrimitiveId first,

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "scene/rad_parser.h"
+#include "scene/surface_geometry.h"
 
 namespace infra {
 namespace {
@@ -81,13 +82,15 @@ void write_scene_section(ByteWriter& out, const Scene& scene, PrimitiveId count)
     }
     out.string("");
 
+    StoredSurface stored;
     for (PrimitiveId id = 0; id < count; ++id) {
         const auto strings = scene.strings(id);
-        const auto reals = scene.reals(id);
+        get_stored_surface(scene, id, stored);
+        const auto reals = stored.reals;
         if (std::max(strings.size(), reals.size()) > most_arguments)
             throw scene.error(id, "more arguments than a frozen octree can hold (32767)",
                               "leave out -f, or split it");
-        out.integer(number[static_cast<std::size_t>(scene.type(id))], 1);
+        out.integer(number[static_cast<std::size_t>(stored.type)], 1);
         out.integer(scene.modifier(id), written_id_size);
         out.string(scene.name(id));
         out.integer(std::int64_t(strings.size()), 2);

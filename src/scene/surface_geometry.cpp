@@ -16,23 +16,38 @@ bool is_cylindric(PrimitiveType type) {
     return type == PrimitiveType::cylinder || type == PrimitiveType::tube;
 }
 
+/// Unit vector by RADIANCE's arithmetic, whose last bits decide which cells a surface touches. Zero stays
+/// zero.
+Vec3 unit(const Vec3& v) {
+    const double squared = dot(v, v);
+    if (squared == 0) return Vec3(0);
+    const bool nearly_unit = squared <= 1 + tiny_length && squared >= 1 - tiny_length;
+    return v * (nearly_unit ? 2 - (0.5 + 0.5 * squared) : 1 / std::sqrt(squared));
+}
+
+/// Sum of the cross products of successive diagonals: twice the area long.
+Vec3 area_normal(std::span<const Vec3> corners) {
+    Vec3 normal(0), previous = corners[1] - corners[0];
+    for (const Vec3& corner : corners.subspan(2)) {
+        const Vec3 diagonal = corner - corners[0];
+        normal += cross(previous, diagonal);
+        previous = diagonal;
+    }
+    return normal;
+}
+
 SurfaceCheck check_polygon(std::span<const double> reals) {
-    const std::size_t corners = reals.size() / 3;
-    const Vec3 first = vec(reals, 0);
-    Vec3 normal(0);
-    for (std::size_t i = 2; i < corners; ++i)
-        normal += cross(vec(reals, 3 * i - 3) - first, vec(reals, 3 * i) - first);
+    std::vector<Vec3> corners;
+    polygon_corners(reals, corners);
+    const Vec3 normal = unit(area_normal(corners));
     if (normal == Vec3(0)) return {false, "zero area"};
-    if (corners == 3) return {};
+    if (corners.size() == 3) return {};
     // RADIANCE's allowance: 1e-5 of the plane's distance from the origin, or absolute for a plane through it.
     constexpr double allowance = 1e-5;
-    normal = normalize(normal);
-    double sum = 0;
-    for (std::size_t i = 0; i < corners; ++i) sum += dot(normal, vec(reals, 3 * i));
-    const double offset = sum / double(corners);
+    const double offset = polygon_plane(corners).offset;
     const double limit = allowance * (std::abs(offset) > allowance ? std::abs(offset) : 1.0);
-    for (std::size_t i = 0; i < corners; ++i)
-        if (std::abs(dot(normal, vec(reals, 3 * i)) - offset) > limit) return {true, "non-planar vertex"};
+    for (const Vec3& corner : corners)
+        if (std::abs(dot(normal, corner) - offset) > limit) return {true, "non-planar vertex"};
     return {};
 }
 
@@ -52,8 +67,8 @@ void add_circle(Box& box, const Vec3& center, const Vec3& normal, double radius)
     const Vec3 n2 = normal * normal;
     const Vec3 reach(std::sqrt(std::max(0.0, 1 - n2.x)), std::sqrt(std::max(0.0, 1 - n2.y)),
                      std::sqrt(std::max(0.0, 1 - n2.z)));
-    box.add(center - radius * reach);
-    box.add(center + radius * reach);
+    box.add(center + reach * radius);
+    box.add(center - reach * radius);
 }
 
 }  // namespace
@@ -69,27 +84,80 @@ void Box::add(const Box& other) {
     add(other.high);
 }
 
-/// The nearest point lies in the half-plane of p and the axis, so this is the distance to a segment in that
-/// plane.
-double TurnedLine::distance(const Vec3& p) const {
-    const Vec3 from_base = p - base;
-    const double z = dot(from_base, axis);
-    const double r = length(from_base - z * axis);
-    const double dr = r1 - r0;
-    const double along = (z * height + (r - r0) * dr) / (height * height + dr * dr);
-    const double t = std::clamp(along, 0.0, 1.0);
-    return std::hypot(z - t * height, r - r0 - t * dr);
+void polygon_corners(std::span<const double> reals, std::vector<Vec3>& corners) {
+    corners.clear();
+    for (std::size_t i = 0; i + 2 < reals.size(); i += 3) corners.push_back(vec(reals, i));
+    if (corners.size() <= 3) return;
+    const Vec3 closing = corners.back() - corners.front();
+    if (dot(closing, closing) <= tiny_length * tiny_length) corners.pop_back();
+}
+
+PolygonPlane polygon_plane(std::span<const Vec3> corners) {
+    PolygonPlane plane{unit(area_normal(corners))};
+    for (const Vec3& corner : corners) plane.offset += dot(plane.normal, corner);
+    plane.offset /= double(corners.size());
+    return plane;
+}
+
+bool TurnedLine::line_towards(const Vec3& point, Vec3& end0, Vec3& end1) const {
+    const Vec3 from_base = point - p0;
+    const Vec3 outward = unit(from_base - dot(from_base, axis) * axis);
+    if (outward == Vec3(0)) return false;
+    end0 = r0 * outward + p0;
+    end1 = r1 * outward + p1;
+    return true;
+}
+
+void get_stored_surface(const Scene& scene, PrimitiveId id, StoredSurface& stored) {
+    using enum PrimitiveType;
+    stored.type = scene.type(id);
+    stored.reals = scene.reals(id);
+    if (stored.reals.size() > 8 || stored.type == polygon || stored.type == source ||
+        !scene.type_info(id).is_geometry())
+        return;
+    const auto count = stored.reals.size();
+    std::ranges::copy(stored.reals, stored.changed);
+    stored.reals = {stored.changed, count};
+    const auto turn_over = [&](PrimitiveType one, PrimitiveType other) {
+        stored.type = stored.type == one ? other : one;
+    };
+    double* const r = stored.changed;
+    if (stored.type == sphere || stored.type == bubble) {
+        if (sign(r[3]) >= 0) return;
+        turn_over(sphere, bubble);
+        r[3] = -r[3];
+    } else if (is_cylindric(stored.type)) {
+        if (sign(r[6]) >= 0) return;
+        turn_over(cylinder, tube);
+        r[6] = -r[6];
+    } else if (count == 8) {
+        const int s0 = sign(r[6]), s1 = sign(r[7]);
+        const bool negative = s0 < 0 || s1 < 0;
+        if (s0 + s1 == 0 || (negative && stored.type == ring)) return;
+        if (negative) turn_over(cone, cup);
+        r[6] *= s0;
+        r[7] *= s1;
+        if (stored.type == ring || sign(r[7] - r[6]) != 0) return;
+        stored.type = stored.type == cone ? cylinder : tube;
+        stored.reals = {stored.changed, 7};
+    }
 }
 
 TurnedLine turned_line(const Scene& scene, PrimitiveId id) {
-    const auto reals = scene.reals(id);
+    StoredSurface stored;
+    get_stored_surface(scene, id, stored);
+    const auto reals = stored.reals;
+    const bool is_ring = stored.type == PrimitiveType::ring;
     TurnedLine line;
-    line.base = vec(reals, 0);
-    line.r0 = std::abs(reals[6]);
-    line.r1 = is_cylindric(scene.type(id)) ? line.r0 : std::abs(reals[7]);
-    const Vec3 axis = scene.type(id) == PrimitiveType::ring ? vec(reals, 3) : vec(reals, 3) - line.base;
-    line.axis = normalize(axis);
-    line.height = scene.type(id) == PrimitiveType::ring ? 0.0 : length(axis);
+    line.p0 = vec(reals, 0);
+    line.p1 = is_ring ? line.p0 : vec(reals, 3);
+    line.r0 = reals[6];
+    line.r1 = reals[is_cylindric(stored.type) ? 6 : 7];
+    if (line.r0 > line.r1) {
+        std::swap(line.p0, line.p1);
+        std::swap(line.r0, line.r1);
+    }
+    line.axis = unit(is_ring ? vec(reals, 3) : line.p1 - line.p0);
     return line;
 }
 
@@ -123,8 +191,8 @@ Box surface_box(const Scene& scene, PrimitiveId id, InstanceBoxes& instances) {
             break;
         case PrimitiveType::sphere:
         case PrimitiveType::bubble:
-            box.add(vec(reals, 0) - Vec3(std::abs(reals[3])));
-            box.add(vec(reals, 0) + Vec3(std::abs(reals[3])));
+            box.add(vec(reals, 0) - Vec3(reals[3]));
+            box.add((vec(reals, 0) - Vec3(reals[3])) + Vec3(2.0 * reals[3]));
             break;
         case PrimitiveType::cone:
         case PrimitiveType::cup:
@@ -133,8 +201,8 @@ Box surface_box(const Scene& scene, PrimitiveId id, InstanceBoxes& instances) {
         case PrimitiveType::ring: {
             if (!check_surface(scene, id).usable) break;
             const TurnedLine line = turned_line(scene, id);
-            add_circle(box, line.base, line.axis, line.r0);
-            add_circle(box, line.base + line.height * line.axis, line.axis, line.r1);
+            if (line.p0 != line.p1) add_circle(box, line.p0, line.axis, line.r0);
+            add_circle(box, line.p1, line.axis, line.r1);
             break;
         }
         case PrimitiveType::instance:

@@ -39,9 +39,15 @@ Transform mirroring(int axis) {
     return t;
 }
 
-/// `step` count times; none for count <= 0. Repeated squaring, so that an absurd count costs nothing.
-Transform repeated(Transform step, int count) {
-    Transform result;
+/// `start`, then `step` count times; none for count <= 0. One after the other, as RADIANCE does, so that
+/// coordinates agree to the last digit; by repeated squaring where that would take long.
+Transform then_repeated(const Transform& start, Transform step, int count) {
+    constexpr int many = 10000;
+    Transform result = start;
+    if (count < many) {
+        for (int i = 0; i < count; ++i) result = result * step;
+        return result;
+    }
     for (; count > 0; count /= 2) {
         if (count % 2) result = result * step;
         step = step * step;
@@ -91,7 +97,7 @@ Matrix4 multiply(const Matrix4& a, const Matrix4& b) {
     Matrix4 product{};
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
-            for (int k = 0; k < 4; ++k) product[i][j] += a[i][k] * b[k][j];
+            product[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + a[i][3] * b[3][j];
     return product;
 }
 
@@ -129,7 +135,7 @@ std::size_t parse_transform(std::span<const std::string_view> words, Transform& 
         const Step step = read_step(words.subspan(read));
         if (step.words == 0) break;
         if (step.iterates) {
-            total = total * repeated(part, count);
+            total = then_repeated(total, part, count);
             part = Transform{};
             count = step.count;
         } else {
@@ -137,7 +143,7 @@ std::size_t parse_transform(std::span<const std::string_view> words, Transform& 
         }
         read += step.words;
     }
-    transform = total * repeated(part, count);
+    transform = then_repeated(total, part, count);
     return read;
 }
 

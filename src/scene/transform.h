@@ -31,9 +31,8 @@ struct Transform {
     /// A position.
     Vec3 point(const Vec3& p) const {
         const auto& m = matrix;
-        return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
-                p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
-                p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
+        const Vec3 turned = vector(p);
+        return {turned.x + m[3][0], turned.y + m[3][1], turned.z + m[3][2]};
     }
     /// A direction: rotated and scaled, not moved.
     Vec3 vector(const Vec3& v) const {

@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "scene/mesh/triangle_cell.h"
+#include "scene/octant_overlap.h"
 
 namespace infra {
 namespace {

@@ -9,19 +9,53 @@ namespace {
 
 constexpr std::size_t most_held_back = 64 << 20;
 
-/// Twelve digits, right-aligned, so that coordinates stand below one another.
-void append_real(std::string& text, double value) {
-    constexpr int digits = 12;
-    constexpr std::size_t width = 18;
+struct NumberStyle {
+    int digits;
+    std::size_t width;  ///< right-aligned, so that coordinates stand below one another
+};
+constexpr NumberStyle usual{12, 18};
+constexpr NumberStyle short_numbers{6, 12};  // of the materials whose numbers a scale changes
+
+void append_real(std::string& text, double value, const NumberStyle& style) {
     char buffer[32];
     const auto end =
-        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
+        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, style.digits).ptr;
     const auto length = static_cast<std::size_t>(end - buffer);
-    text.append(length < width ? width + 1 - length : 1, ' ').append(buffer, length);
+    if (length < style.width) text.append(style.width - length, ' ');
+    text.append(buffer, length);
 }
 
-/// Numbers that are triples of coordinates (mostly) go three to a line.
-bool in_triples(const ParsedPrimitive& p) { return info(p.type).is_geometry() || p.reals.size() > 8; }
+/// How RADIANCE's xform lays out the real arguments of a type behind their number.
+struct Layout {
+    NumberStyle style = usual;
+    std::string_view row_begin;  ///< before the first number of each row but the one of the count
+    std::size_t first_row = ~std::size_t(0);  ///< numbers in the row of the count
+    std::size_t row = ~std::size_t(0);        ///< in later rows
+};
+
+Layout layout(PrimitiveType type) {
+    switch (type) {
+        case PrimitiveType::polygon:
+        case PrimitiveType::cone:
+        case PrimitiveType::cup:
+        case PrimitiveType::cylinder:
+        case PrimitiveType::tube:
+        case PrimitiveType::ring:
+        case PrimitiveType::brighttext:
+        case PrimitiveType::colortext:
+        case PrimitiveType::mixtext:
+            return {usual, " ", 0, 3};
+        case PrimitiveType::spotlight:
+            return {usual, "\t", 4};
+        case PrimitiveType::interface:
+            return {short_numbers, "", 0, 4};
+        case PrimitiveType::dielectric:
+        case PrimitiveType::mist:
+            return {short_numbers};
+        default:
+            return {};
+    }
+}
 
 }  // namespace
 
@@ -31,9 +65,19 @@ void Output::text(std::string_view text) {
 }
 
 void Output::reals(const ParsedPrimitive& p) {
-    for (std::size_t i = 0; i < p.reals.size(); ++i) {
-        if (i % 3 == 0 && in_triples(p)) buffer_ += '\n';
-        append_real(buffer_, p.reals[i]);
+    const Layout rows = layout(p.type);
+    std::size_t left = rows.first_row;  // in this row
+    std::string_view separator = " ";
+    for (const double value : p.reals) {
+        if (left == 0) {
+            buffer_ += '\n';
+            separator = rows.row_begin;
+            left = rows.row;
+        }
+        buffer_ += separator;
+        append_real(buffer_, value, rows.style);
+        separator = " ";
+        --left;
     }
     buffer_ += '\n';
 }

@@ -13,8 +13,8 @@ using Words = std::vector<std::string>;
 
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Words of one line of a -f file: quotes hold blanks together, a backslash takes the next character as it
-/// is.
+/// Words of one line of a -f file: quotes around a word hold blanks together, a backslash before it takes its
+/// first character as it is.
 Words line_words(std::string_view line) {
     Words words;
     for (std::size_t i = 0; i < line.size();) {
@@ -23,11 +23,9 @@ Words line_words(std::string_view line) {
             continue;
         }
         const char quote = line[i] == '"' || line[i] == '\'' ? line[i++] : '\0';
+        if (i + 1 < line.size() && line[i] == '\\') ++i;
         std::string word;
-        while (i < line.size() && (quote ? line[i] != quote : !is_space(line[i]))) {
-            if (line[i] == '\\' && i + 1 < line.size()) ++i;
-            word += line[i++];
-        }
+        while (i < line.size() && (quote ? line[i] != quote : !is_space(line[i]))) word += line[i++];
         i += quote != '\0';
         words.push_back(std::move(word));
     }
@@ -57,14 +55,29 @@ std::size_t value_of(const Words& words, const std::string& option) {
     return std::size_t(found - words.begin()) + 1;
 }
 
-/// Gives the command line the name -n "old.number", or -n "letter number" if it has none.
+/// Gives the command line the name -n "letter number" if it has none.
 Words named(Words words, char letter, int number) {
+    words.insert(words.begin() + 1, {"-n", letter + std::to_string(number)});
+    return words;
+}
+
+/// A line's number goes behind the first name.
+Words named_for_line(Words words, int number) {
     const std::size_t name = value_of(words, "-n");
-    if (name > 0 && name < words.size()) {
-        words[name] += "." + std::to_string(number);
-    } else {
-        words.insert(words.begin() + 1, {"-n", letter + std::to_string(number)});
-    }
+    if (name == 0 || name >= words.size()) return named(std::move(words), 'i', number);
+    words[name] += "." + std::to_string(number);
+    return words;
+}
+
+/// An element's number goes behind the last name, which all names become.
+Words named_for_element(Words words, int number) {
+    const std::string* last = nullptr;
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (words[i - 1] == "-n") last = &words[i];
+    if (!last) return named(std::move(words), 'a', number);
+    const std::string name = *last + "." + std::to_string(number);
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (words[i - 1] == "-n") words[i] = name;
     return words;
 }
 
@@ -83,7 +96,7 @@ void for_each_line(const Words& words, std::size_t file, const RepetitionSink& s
         Words call(words.begin(), words.begin() + std::ptrdiff_t(file) - 1);
         for (std::string& word : line_words(rest)) call.push_back(std::move(word));
         call.insert(call.end(), words.begin() + std::ptrdiff_t(file) + 1, words.end());
-        for_each_call(named(std::move(call), 'i', number++), sink);
+        for_each_call(named_for_line(std::move(call), number++), sink);
     }
     if (number == 0) throw Error("empty argument file \"" + words[file] + "\"");
 }
@@ -96,7 +109,7 @@ void for_each_element(const Words& words, std::size_t count_at, const Repetition
         Words call = words;
         call[count_at - 1] = "-i";
         call[count_at] = std::to_string(i);
-        for_each_call(named(std::move(call), 'a', i), sink);
+        for_each_call(named_for_element(std::move(call), i), sink);
     }
 }
 

@@ -55,8 +55,10 @@ class Program {
 };
 
 void Program::call(const Settings& settings) {
-    const auto before_files = std::span(settings.words).first(settings.transform_end);
-    output_.text("# " + join_command({before_files.begin(), before_files.end()}) + "\n");
+    std::string title = "#";
+    for (const std::string& word : std::span(settings.words).first(settings.transform_end))
+        title += ' ' + word;
+    output_.text(title + '\n');
     if (settings.files().empty()) {
         if (!standard_input_) standard_input_ = read_text_file("-");
         transform(settings, TextSource(*standard_input_, "standard input"), "");
