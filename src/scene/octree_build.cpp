@@ -12,9 +12,9 @@ namespace {
 
 /// Surfaces that divisions do not part, because they coincide or meet in an edge, are divided down to the
 /// resolution as in RADIANCE: byte for byte the same tree. But not without end: when that has taken so many
-/// cells, further ones are left as they are after a few divisions.
+/// tests for overlap with the octants of a cell, further cells are left as they are after a few divisions.
 constexpr int most_fruitless_divisions = 6;
-constexpr int most_fruitless_cells = 1 << 20;
+constexpr std::size_t most_fruitless_tests = 1 << 23;
 
 /// Smallest cell that is ever divided, scene units: within the tolerances of the tests for overlap, where
 /// dividing parts nothing. RADIANCE does not stop there in scenes smaller than 2 cm and its default
@@ -76,12 +76,12 @@ class Builder {
     std::vector<PrimitiveId> set_;
     bool volumes_ = false;
     bool warned_ = false;
-    int fruitless_cells_ = 0;
+    std::size_t fruitless_tests_ = 0;
 };
 
 bool Builder::may_divide(const Cube& cell, int fruitless) const {
     if (0.5 * cell.size < smallest_) return false;
-    return fruitless < most_fruitless_divisions || fruitless_cells_ < most_fruitless_cells;
+    return fruitless < most_fruitless_divisions || fruitless_tests_ < most_fruitless_tests;
 }
 
 /// Puts what a leaf holds before members_[begin..]; returns their number.
@@ -139,8 +139,8 @@ OctreeNode Builder::build(OctreeNode old, const Cube& cell, std::size_t begin, i
 }
 
 OctreeNode Builder::divide(OctreeNode old, const Cube& cell, std::size_t begin, int fruitless) {
-    if (fruitless >= most_fruitless_divisions) ++fruitless_cells_;
     const std::size_t end = members_.size(), count = end - begin, first_octants = octants_.size();
+    if (fruitless >= most_fruitless_divisions) fruitless_tests_ += count;
     const OctantOverlap polygons(cell);
     std::array<std::size_t, 8> counts{};
     for (std::size_t i = begin; i < end; ++i) {
