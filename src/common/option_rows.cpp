@@ -77,6 +77,16 @@ OptionRow& OptionRow::at_least(double least) {
     return *this;
 }
 
+OptionRow& OptionRow::differing(std::string how) {
+    differs = std::move(how);
+    return *this;
+}
+
+OptionRow& OptionRow::ours() {
+    is_ours = true;
+    return *this;
+}
+
 OptionTable::OptionTable(std::string program, std::string usage)
     : program_(std::move(program)), usage_(std::move(usage)) {}
 
@@ -146,6 +156,13 @@ OptionRow& OptionTable::attached(std::string spelling, std::string pattern,
     return row;
 }
 
+OptionRow& OptionTable::rest(std::string spelling, std::size_t least,
+                             std::function<void(const OptionValues&)> apply, std::string help) {
+    OptionRow& row = custom(std::move(spelling), std::string(least, 's'), std::move(apply), std::move(help));
+    row.form = OptionRow::Form::rest;
+    return row;
+}
+
 OptionRow& OptionTable::unsupported(std::string spelling, std::string pattern, std::string reason) {
     OptionRow& row = custom(std::move(spelling), std::move(pattern), {}, {});
     row.unsupported = std::move(reason);
@@ -159,6 +176,8 @@ OptionRow& OptionTable::unsupported_attached(std::string spelling, std::string p
 }
 
 void OptionTable::describe(std::string description) { description_ = std::move(description); }
+
+void OptionTable::take_words_literally() { literal_ = true; }
 
 void OptionTable::read_environment(std::string variable) { environment_ = std::move(variable); }
 
@@ -203,8 +222,10 @@ std::string OptionTable::help() const {
     add_line("-defaults", "print the values in force and exit");
     add_line("-help", "print this list and exit");
     add_line("-version", "print the version and exit");
-    add_line("@file", "read options from a file");
-    add_line("$NAME", "read options from an environment variable");
+    if (!literal_) {
+        add_line("@file", "read options from a file");
+        add_line("$NAME", "read options from an environment variable");
+    }
 
     std::string heading = "\nnot supported yet:\n";
     for (const OptionRow& row : rows_) {

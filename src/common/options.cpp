@@ -98,6 +98,12 @@ void OptionValues::reject(std::string_view why, std::string_view hint) const {
     command_line_error(place, why, hint);
 }
 
+/// A word with a dash that is no number, or one that a row spells otherwise ("+d").
+bool OptionTable::begins_option(const std::string& word) const {
+    return is_option(word) ||
+           std::ranges::any_of(rows_, [&](const OptionRow& row) { return row.spelling == word; });
+}
+
 const OptionRow* OptionTable::find(std::string_view word, std::string_view& attached) const {
     attached = {};
     const OptionRow* best = nullptr;
@@ -126,8 +132,13 @@ std::size_t OptionTable::apply(const OptionRow& row, std::string_view attached,
                                const std::vector<std::string>& words, std::size_t i) const {
     const std::string& word = words[i];
     if (!row.unsupported.empty()) command_line_error(word, "option is not supported", row.unsupported);
+    const std::size_t left = words.size() - i - 1;
+    if (left < row.pattern.size()) missing_arguments(row, word);
+    if (row.form == OptionRow::Form::rest) {
+        row.apply({word, attached, std::span(words).subspan(i + 1)});
+        return left;
+    }
     const std::size_t count = row.pattern.size();
-    if (words.size() - i - 1 < count) missing_arguments(row, word);
     for (std::size_t k = 0; k < count; ++k) {
         const std::string& value = words[i + 1 + k];
         if (row.pattern[k] != 's' && is_option(value)) missing_arguments(row, word);
@@ -148,14 +159,14 @@ std::optional<std::vector<std::string>> OptionTable::parse(std::vector<std::stri
     int expansions = 0;
     std::size_t i = 0;
     while (i < words.size()) {
-        if (expandable(words[i])) {
+        if (!literal_ && expandable(words[i])) {
             const std::vector<std::string> replacement = expansion(words[i]);
             if (++expansions > most_expansions) command_line_error(words[i], "refers to itself");
             words.erase(words.begin() + i);
             words.insert(words.begin() + i, replacement.begin(), replacement.end());
             continue;
         }
-        if (!is_option(words[i])) break;
+        if (!begins_option(words[i])) break;
         if (words[i] == "-version" || words[i] == "-defaults" || words[i] == "-help") {
             const std::string answer = words[i] == "-version"    ? version_string() + std::string("\n")
                                        : words[i] == "-defaults" ? defaults()

@@ -40,9 +40,10 @@ struct OptionValues {
 class OptionRow {
   public:
     enum class Form {
-        exact,    ///< "-ab 2": the spelling, then arguments
-        toggle,   ///< "-u", "-u+", "-u-", "-u1", "-u0"
-        attached  ///< "-ovn": letters follow the spelling without a blank
+        exact,     ///< "-ab 2": the spelling, then arguments
+        toggle,    ///< "-u", "-u+", "-u-", "-u1", "-u0"
+        attached,  ///< "-ovn": letters follow the spelling without a blank
+        rest       ///< "-c command ..": takes all words that follow
     };
 
     std::string spelling;                            ///< with its dash, "-ab"
@@ -55,6 +56,8 @@ class OptionRow {
     std::function<std::string()> shown_value;        ///< "-ab 2" for -defaults; empty function: not listed
     std::function<std::string()> shown_help;         ///< the remark in -defaults where it is not `help`
     std::optional<double> minimum;                   ///< least number allowed
+    std::string differs;   ///< how it differs from RADIANCE's; empty: it does the same
+    bool is_ours = false;  ///< RADIANCE has no such option
 
     /// Writes the option in -defaults by `value` instead of in the usual form; not while that is empty.
     OptionRow& shown(std::function<std::string()> value);
@@ -66,6 +69,10 @@ class OptionRow {
     OptionRow& named(std::string names);
     /// Refuses numbers below `least`.
     OptionRow& at_least(double least);
+    /// Says in the reference how the option differs from RADIANCE's, and why.
+    OptionRow& differing(std::string how);
+    /// Marks an option that RADIANCE's program does not have.
+    OptionRow& ours();
 };
 
 class OptionTable {
@@ -91,6 +98,9 @@ class OptionTable {
     /// An option written in one word with letters joined on, as -ovn, -ffd, -vtv; may take arguments besides.
     OptionRow& attached(std::string spelling, std::string pattern,
                         std::function<void(const OptionValues&)> apply, std::string help);
+    /// An option that takes the rest of the command line, `least` words or more, none of which is an option.
+    OptionRow& rest(std::string spelling, std::size_t least, std::function<void(const OptionValues&)> apply,
+                    std::string help);
     /// An option that RADIANCE has and we don't yet: refused by name, with the reason.
     OptionRow& unsupported(std::string spelling, std::string pattern, std::string reason);
     /// The same for options with letters joined on (-apX).
@@ -101,6 +111,9 @@ class OptionTable {
 
     /// Reads options from this environment variable before those of the command line, when it is set.
     void read_environment(std::string variable);
+
+    /// Leaves "@file" and "$NAME" alone, for programs that take any words.
+    void take_words_literally();
 
     /// Applies the options and returns the words after them, or nothing when -defaults, -help or -version was
     /// printed. The first word that is no option ends them; "-" alone is no option. On the way "@file" is
@@ -126,6 +139,7 @@ class OptionTable {
     OptionRow& add(OptionRow row);
     const OptionRow* find(std::string_view word, std::string_view& attached) const;
     std::string near_spelling(std::string_view word) const;
+    bool begins_option(const std::string& word) const;
     /// Applies one option at words[i] and returns the number of arguments it took.
     std::size_t apply(const OptionRow& row, std::string_view attached, const std::vector<std::string>& words,
                       std::size_t i) const;
@@ -134,6 +148,7 @@ class OptionTable {
     std::string usage_;
     std::string description_;
     std::string environment_;
+    bool literal_ = false;
     std::deque<OptionRow> rows_;  // a deque, so that the references handed out stay good
     std::vector<std::string> applied_;
 };

@@ -9,14 +9,12 @@
 #include "common/error.h"
 #include "common/format.h"
 #include "common/pictures/exr_info.h"
+#include "scene/getinfo_options.h"
 #include "scene/info_header.h"
 #include "scene/octree_format.h"
 
 namespace infra {
 namespace {
-
-/// -d and +d: the dimensions instead of the header, or after it.
-enum class Dimensions { none, only, too };
 
 InfoHeader header_of_stdin() {
     const auto header = read_info_header(stdin);
@@ -71,9 +69,16 @@ void replace_lines(const std::vector<std::string>& settings) {
     copy_data();
 }
 
+/// A picture's line of dimensions as RADIANCE writes it, with numbers of eight columns.
+std::string aligned(const std::string& resolution) {
+    const std::vector<std::string> words = split_words(resolution);
+    if (words.size() != 4) return resolution;
+    return formatted("%s %8s %s %8s", words[0].c_str(), words[1].c_str(), words[2].c_str(), words[3].c_str());
+}
+
 /// -c: the header with the command added; the command gets the data. Reads stdin byte by byte up to there,
 /// for the rest is the command's.
-int run_on_data(char** command, const std::vector<std::string>& words, Dimensions dimensions) {
+int run_on_data(const std::vector<std::string>& words, Dimensions dimensions) {
     std::setvbuf(stdin, nullptr, _IONBF, 0);
     const InfoHeader header = header_of_stdin();
     for (const std::string& line : header.lines)
@@ -83,11 +88,14 @@ int run_on_data(char** command, const std::vector<std::string>& words, Dimension
     if (dimensions != Dimensions::none) {
         const auto resolution = read_dimensions(stdin);
         if (!resolution) throw Error(Location{"standard input"}, "no resolution string");
-        if (dimensions == Dimensions::too) print_line(*resolution);
+        if (dimensions == Dimensions::too) print_line(aligned(*resolution));
     }
     std::fflush(stdout);
-    execvp(command[0], command);
-    throw Error(std::string("cannot run ") + command[0] + ": " + std::strerror(errno));
+    std::vector<char*> command;
+    for (const std::string& word : words) command.push_back(const_cast<char*>(word.c_str()));
+    command.push_back(nullptr);
+    execvp(command[0], command.data());
+    throw Error("cannot run " + words[0] + ": " + std::strerror(errno));
 }
 
 void print_header(const std::string& path, const std::vector<std::string>& lines) {
@@ -150,39 +158,42 @@ void print_stdin(Dimensions dimensions) {
     if (dimensions != Dimensions::none) print_line(dimensions_of(stdin));
 }
 
+/// "-": the data without the header, with -d also without the line of dimensions.
+void print_data(Dimensions dimensions) {
+    header_of_stdin();
+    if (dimensions == Dimensions::only && !read_dimensions(stdin))
+        throw Error(Location{"standard input"}, "no resolution string");
+    copy_data();
+}
+
 int getinfo(int argc, char** argv) {
-    const std::string first = argc > 1 ? argv[1] : "";
-    Dimensions dimensions = Dimensions::none;
-    if (first == "-d" || first == "+d") {
-        dimensions = first == "-d" ? Dimensions::only : Dimensions::too;
-        ++argv;
-        --argc;
+    GetinfoSettings settings;
+    OptionTable options = getinfo_option_table(settings);
+    const auto files = options.parse(argc, argv);
+    if (!files) return 0;
+    switch (settings.action) {
+        case GetinfoSettings::Action::append:
+            append_lines(settings.words);
+            return 0;
+        case GetinfoSettings::Action::replace:
+            replace_lines(settings.words);
+            return 0;
+        case GetinfoSettings::Action::run:
+            return run_on_data(settings.words, settings.dimensions);
+        case GetinfoSettings::Action::print:
+            break;
     }
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());
-    if (words.empty()) {
-        print_stdin(dimensions);
-    } else if (words[0] == "-" && words.size() == 1) {
-        header_of_stdin();
-        if (dimensions == Dimensions::only && !read_dimensions(stdin))
-            throw Error(Location{"standard input"}, "no resolution string");
-        copy_data();
-    } else if (words[0] == "-c" && !rest.empty()) {
-        return run_on_data(argv + 2, rest, dimensions);
-    } else if (words[0] == "-a" && !rest.empty()) {
-        append_lines(rest);
-    } else if (words[0] == "-r" && !rest.empty()) {
-        replace_lines(rest);
-    } else if (words[0].size() > 1 && words[0][0] == '-') {
-        throw Error(
-            "command line error at '" + words[0] + "'",
-            "the forms are: [-d|+d] [file ..], [-d] -, -a line .., -r line .., [-d|+d] -c command ..");
-    } else {
-        bool all = true;
-        for (const std::string& path : words) all = print_file(path, dimensions) && all;
-        return all ? 0 : 1;
+    if (files->empty()) {
+        print_stdin(settings.dimensions);
+        return 0;
     }
-    return 0;
+    if (*files == std::vector<std::string>{"-"}) {
+        print_data(settings.dimensions);
+        return 0;
+    }
+    bool all = true;
+    for (const std::string& path : *files) all = print_file(path, settings.dimensions) && all;
+    return all ? 0 : 1;
 }
 
 }  // namespace

@@ -6,49 +6,15 @@
 #include "common/atomic_file.h"
 #include "common/error.h"
 #include "common/format.h"
-#include "common/options.h"
-#include "common/raypath.h"
 #include "scene/mesh/mesh_report.h"
 #include "scene/mesh/mesh_triangles.h"
 #include "scene/mesh/mesh_writer.h"
 #include "scene/mesh/model_reader.h"
+#include "scene/obj2mesh_options.h"
 #include "scene/rad_reader.h"
 
 namespace infra {
 namespace {
-
-struct Settings {
-    MeshLimits limits;
-    std::vector<std::string> materials;  ///< paths of files
-    bool quiet = false;
-    bool verbose = false;
-};
-
-OptionTable make_options(Settings& settings) {
-    OptionTable options("obj2mesh", "[model.obj|.stl|.ply [mesh.rtm]]");
-    options.describe(
-        "Makes a mesh of a model's triangles. Without files: OBJ from standard input to standard output.");
-    options
-        .custom(
-            "-a", "s", [&](const OptionValues& v) { settings.materials.push_back(v.text(0)); },
-            "file of materials that usemtl or g name")
-        .named("materials.rad");
-    options
-        .custom(
-            "-l", "s",
-            [&](const OptionValues& v) {
-                settings.materials.push_back(require_library_file(v.text(0), "file of materials"));
-            },
-            "the same, found through RAYPATH")
-        .named("materials.rad");
-    options.integer("-n", &settings.limits.triangles, "triangles in a cell before it is divided").at_least(1);
-    options.integer("-r", &settings.limits.resolution, "resolution limit").at_least(1);
-    options.custom(
-        "-w", "", [&](const OptionValues&) { settings.quiet = true; }, "no warnings");
-    options.custom(
-        "-v", "", [&](const OptionValues&) { settings.verbose = true; }, "say what the mesh holds");
-    return options;
-}
 
 Scene read_materials(const std::vector<std::string>& paths, const WarningSink& warn) {
     Scene scene;
@@ -77,8 +43,8 @@ MeshTriangles read_triangles(const std::string& path, const Scene& materials, co
 }
 
 int obj2mesh(int argc, char** argv) {
-    Settings settings;
-    OptionTable options = make_options(settings);
+    Obj2meshSettings settings;
+    OptionTable options = obj2mesh_option_table(settings);
     const auto files = options.parse(argc, argv);
     if (!files) return 0;
     if (files->size() > 2) throw Error("too many files", "one model, and one mesh to be made of it");

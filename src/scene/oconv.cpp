@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "common/format.h"
-#include "common/options.h"
+#include "scene/oconv_options.h"
 #include "scene/octree_build.h"
 #include "scene/octree_file.h"
 #include "scene/rad_reader.h"
@@ -10,39 +10,9 @@
 namespace infra {
 namespace {
 
-struct Settings {
-    std::string input_octree;
-    Cube cube;  ///< -b; size 0: from the scene
-    OctreeLimits limits;
-    bool freeze = false;
-    bool quiet = false;
-};
-
-OptionTable make_options(Settings& settings) {
-    OptionTable options("oconv", "[input ..]");
-    options.text("-i", &settings.input_octree, "octree to add to");
-    options
-        .custom(
-            "-b", "ffff",
-            [&](const OptionValues& v) {
-                if (v.real(3) <= 0) v.reject("the size must be positive");
-                settings.cube = {Vec3(v.real(0), v.real(1), v.real(2)) - Vec3(cube_margin),
-                                 v.real(3) + 2 * cube_margin};
-            },
-            "bounding cube")
-        .named("xmin ymin zmin size");
-    options.integer("-n", &settings.limits.objects, "surfaces in a cell before it is divided").at_least(1);
-    options.integer("-r", &settings.limits.resolution, "resolution limit").at_least(1);
-    options.custom(
-        "-f", "", [&](const OptionValues&) { settings.freeze = true; }, "freeze: put the scene inside");
-    options.custom(
-        "-w", "", [&](const OptionValues&) { settings.quiet = true; }, "no warnings");
-    return options;
-}
-
 int oconv(int argc, char** argv) {
-    Settings settings;
-    OptionTable options = make_options(settings);
+    OconvSettings settings;
+    OptionTable options = oconv_option_table(settings);
     const auto inputs = options.parse(argc, argv);
     if (!inputs) return 0;
     const WarningSink warn = settings.quiet ? no_warnings() : print_warnings("oconv");

@@ -5,13 +5,14 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <sstream>
 
+#include "program_tables.h"
 #include "rt/compile/modifier_table.h"
-#include "rt/geometry/geometry.h"
-#include "rt/programs/rpict_options.h"
-#include "rt/programs/rtrace_options.h"
+#include "rt/programs/output_letters.h"
 #include "scene/primitive_types.h"
+#include "type_remarks.h"
 
 namespace infra {
 namespace {
@@ -36,10 +37,22 @@ const char* kind_name(PrimitiveKind kind) {
     return "";
 }
 
+/// The scene compiler takes every surface and volume, and the modifiers of its table.
 bool is_rendered(const PrimitiveInfo& row) {
-    if (row.kind == PrimitiveKind::alias) return true;
-    if (row.is_modifier()) return find_modifier_row(row.type) != nullptr;
-    return row.kind == PrimitiveKind::surface;
+    return row.is_geometry() || row.kind == PrimitiveKind::alias || find_modifier_row(row.type) != nullptr;
+}
+
+std::string compared(const PrimitiveInfo& row) {
+    if (!is_rendered(row)) return "not planned: read by oconv and refused by the renderers";
+    if (row.is_ours()) return "ours";
+    const std::string_view remark = type_remark(row.type);
+    return remark.empty() ? "works" : "differs: " + std::string(remark);
+}
+
+std::string compared(const OptionRow& row) {
+    if (!row.unsupported.empty()) return "not planned: " + row.unsupported;
+    if (row.is_ours) return "ours";
+    return row.differs.empty() ? "works" : "differs: " + row.differs;
 }
 
 std::string arguments(const CountRule& rule, std::string_view meaning) {
@@ -49,11 +62,12 @@ std::string arguments(const CountRule& rule, std::string_view meaning) {
 
 std::string type_table() {
     std::string text =
-        "| type | kind | string arguments | real arguments | rendered |\n| --- | --- | --- | --- | --- |\n";
+        "| type | kind | string arguments | real arguments | RADIANCE 6.1 |\n| --- | --- | --- | --- | --- "
+        "|\n";
     for (const PrimitiveInfo& row : primitive_types())
         text += "| `" + std::string(row.name) + "` | " + kind_name(row.kind) + " | " +
                 arguments(row.strings, row.string_meaning) + " | " + arguments(row.reals, row.real_meaning) +
-                " | " + (is_rendered(row) ? "yes" : "not yet") + " |\n";
+                " | " + compared(row) + " |\n";
     return text;
 }
 
@@ -65,30 +79,48 @@ std::string cell(std::string_view text) {
 }
 
 std::string option_table(const OptionTable& table) {
-    std::string text = "| option | what it sets |\n| --- | --- |\n";
-    for (const OptionRow& row : table.rows()) {
-        text += "| `" + row.spelling + cell(row.arguments.empty() ? "" : " " + row.arguments) + "` | ";
-        text += cell(row.unsupported.empty() ? row.help : "refused: " + row.unsupported);
-        text += " |\n";
-    }
+    std::string text = "| option | what it does | RADIANCE 6.1 |\n| --- | --- | --- |\n";
+    for (const OptionRow& row : table.rows())
+        text += "| `" + row.spelling + cell(row.arguments.empty() ? "" : " " + row.arguments) + "` | " +
+                cell(row.help) + " | " + cell(compared(row)) + " |\n";
     return text;
 }
 
+/// Answered by every program before its table is asked.
+bool is_built_in(const std::string& option) {
+    return option == "-defaults" || option == "-help" || option == "-version";
+}
+
 std::string reference_page() {
-    RpictOptions rpict;
-    RtraceOptions rtrace;
-    return "# Reference: types and options\n\n"
-           "This page is generated from the tables that the programs read "
-           "(`tests/docs/reference_test.cpp`).\n\n"
-           "## Primitive types\n\n"
-           "Every type of RADIANCE 6.1, and `emissive` and `nrlbrdf`, which are ours. `oconv`, `xform` and "
-           "`getinfo` know "
-           "them all; a type that is not rendered yet is refused by name when `rpict` or `rtrace` meets "
-           "it.\n\n" +
-           type_table() +
-           "\n## Options of rpict\n\nA refused option is one that RADIANCE has and we do not yet.\n\n" +
-           option_table(rpict_option_table(rpict)) + "\n## Options of rtrace\n\n" +
-           option_table(rtrace_option_table(rtrace));
+    const ProgramTables programs;
+    std::string text =
+        "# Reference: types and options, compared with RADIANCE 6.1\n\n"
+        "Every primitive type of RADIANCE and every option of its programs that are here too. This page is "
+        "made "
+        "from the tables that the programs read (`tests/docs/reference_test.cpp`), and held against the "
+        "names "
+        "that RADIANCE knows (`tests/docs/radiance_6_1.txt`).\n\n"
+        "The last column says *works*: as in RADIANCE; *differs*: how, on purpose; *not planned*: why not; "
+        "*ours*: RADIANCE has nothing of that name. What is not about one type or option stands in "
+        "[compatibility.md](compatibility.md).\n\n"
+        "## Primitive types\n\n" +
+        type_table();
+    for (const OptionTable& table : programs.tables)
+        text += "\n## Options of " + table.program() + "\n\n" + option_table(table);
+    return text +
+           "\nEvery program also answers `-help`, `-version` and, where it lists values, `-defaults`.\n";
+}
+
+/// The names of one sort in the list of what RADIANCE knows.
+std::set<std::string> radiance_names(const std::string& sort) {
+    std::ifstream list(std::string(INFRA_SOURCE_DIR) + "/tests/docs/radiance_6_1.txt");
+    std::set<std::string> names;
+    for (std::string line; std::getline(list, line);) {
+        const std::size_t blank = line.find(' ');
+        if (line[0] != '#' && line.substr(0, blank) == sort) names.insert(line.substr(blank + 1));
+    }
+    EXPECT_FALSE(names.empty()) << sort;
+    return names;
 }
 
 TEST(Reference, PageAgreesWithTheTables) {
@@ -98,6 +130,41 @@ TEST(Reference, PageAgreesWithTheTables) {
     page << std::ifstream(path).rdbuf();
     EXPECT_EQ(page.str(), reference_page())
         << "run INFRADIANCE_UPDATE_DOCS=1 docs_test to write the page anew";
+}
+
+TEST(Reference, TypesAreRadiances) {
+    std::set<std::string> theirs;
+    for (const PrimitiveInfo& row : primitive_types())
+        if (!row.is_ours()) theirs.insert(std::string(row.name));
+    EXPECT_EQ(theirs, radiance_names("type"));
+    for (const PrimitiveInfo& row : primitive_types())
+        if (!type_remark(row.type).empty()) {
+            EXPECT_TRUE(is_rendered(row) && !row.is_ours()) << row.name;
+        }
+}
+
+TEST(Reference, OptionsAreRadiances) {
+    const ProgramTables programs;
+    for (const OptionTable& table : programs.tables) {
+        std::set<std::string> missing = radiance_names(table.program());
+        std::erase_if(missing, is_built_in);
+        for (const OptionRow& row : table.rows()) {
+            const bool theirs = missing.erase(row.spelling) > 0;
+            EXPECT_NE(theirs, row.is_ours)
+                << table.program() << " " << row.spelling
+                << (theirs ? " is RADIANCE's" : " is not RADIANCE's: mark it ours()");
+            EXPECT_TRUE(row.differs.empty() || (theirs && row.unsupported.empty()))
+                << table.program() << " " << row.spelling << " differs from nothing";
+        }
+        for (const std::string& option : missing)
+            ADD_FAILURE() << table.program() << " " << option << " of RADIANCE has no row";
+    }
+}
+
+TEST(Reference, OutputLettersAreRadiances) {
+    std::set<std::string> letters = {"t", "T"};  // the tree, which is not a value
+    for (const OutputLetter& letter : output_letters()) letters.insert(std::string(1, letter.letter));
+    EXPECT_EQ(letters, radiance_names("rtrace-output"));
 }
 
 TEST(Reference, EveryRenderedTypeIsAModifier) {

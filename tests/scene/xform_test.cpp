@@ -17,7 +17,7 @@ using test::reals_of;
 using test::scene_of;
 using test::strings_of;
 
-Settings settings_of(const std::string& options) { return parse_settings(split_words("xform " + options)); }
+Settings settings_of(const std::string& options) { return *parse_settings(split_words("xform " + options)); }
 
 ParsedPrimitive moved(const std::string& options, std::string_view text) {
     RadParser parser(TextSource(text, "test.rad"));

@@ -5,7 +5,9 @@
 namespace {
 
 int run(int argc, char** argv) {
-    infra::rcalc::Calculator(infra::rcalc::read_command_line(argc, argv)).run();
+    infra::rcalc::Settings settings;
+    if (infra::rcalc::read_command_line(argc, argv, settings))
+        infra::rcalc::Calculator(std::move(settings)).run();
     return 0;
 }
 

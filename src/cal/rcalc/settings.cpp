@@ -1,7 +1,6 @@
 #include "settings.h"
 
-#include <cctype>
-#include <string_view>
+#include <string>
 
 #include "columns.h"
 #include "common/error.h"
@@ -10,172 +9,164 @@
 namespace infra::rcalc {
 namespace {
 
-constexpr const char* usage =
-    "rcalc [-b][-l][-n][-p|-P][-w][-u][-tS][-s name=text][-e definitions][-f file]"
-    "[-i format|-if N|-id N][-o format|-of|-od][-in M][-on M] [file ..]";
-
-class CommandLine {
-  public:
-    CommandLine(int argc, char** argv) : words_(argv + 1, argv + argc) {}
-
-    Settings read() {
-        while (next_ < words_.size() && words_[next_].starts_with('-')) {
-            option_ = words_[next_++];
-            read_option();
-        }
-        settings_.files.assign(words_.begin() + static_cast<std::ptrdiff_t>(next_), words_.end());
-        if (settings_.no_input && !settings_.files.empty())
-            throw Error("option -n reads no input", "files were named");
-        const bool formats = settings_.input_format && settings_.output_format;
-        if (settings_.passive != Passive::off && !formats && !settings_.no_input)
-            throw Error("options -p and -P need the formats -i and -o");
-        return std::move(settings_);
-    }
-
-  private:
-    [[noreturn]] void unknown() const {
-        throw Error("unknown option " + option_, std::string("usage: ") + usage);
-    }
-
-    const std::string& argument() {
-        if (next_ == words_.size()) throw Error("option " + option_ + " needs an argument");
-        return words_[next_++];
-    }
-
-    long count() {
-        int value = 0;
-        if (!parse_int(argument(), value) || value < 0)
-            throw Error("option " + option_ + " needs a whole number");
-        return value;
-    }
-
-    static std::optional<NumberForm> number_form(char letter) {
-        switch (letter) {
-            case 'a':
-                return NumberForm::text;
-            case 'f':
-                return NumberForm::float32;
-            case 'F':
-                return NumberForm::float32_swapped;
-            case 'd':
-                return NumberForm::float64;
-            case 'D':
-                return NumberForm::float64_swapped;
-            default:
-                return {};
-        }
-    }
-
-    void read_option() {
-        Settings& s = settings_;
-        switch (option_.size() > 1 ? option_[1] : '\0') {
-            case 'b':
-                s.exact_blanks = !s.exact_blanks;
-                break;
-            case 'l':
-                s.ignore_newlines = !s.ignore_newlines;
-                break;
-            case 'p':
-                s.passive = Passive::unmatched;
-                break;
-            case 'P':
-                s.passive = Passive::unmatched_and_refused;
-                break;
-            case 'w':
-                s.quiet = !s.quiet;
-                break;
-            case 'u':
-                s.unbuffered = !s.unbuffered;
-                break;
-            case 'n':
-                s.no_input = true;
-                s.library.set_constant_folding(false);
-                break;
-            case 't':
-                if (option_.size() < 3) throw Error("option -t needs a character joined on", "as in -t,");
-                s.separator = option_[2];
-                break;
-            case 's':
-                read_preset();
-                break;
-            case 'f':
-                s.library.load_file(argument());
-                break;
-            case 'e':
-                s.library.define(argument(), Location{"-e", 1, 1});
-                break;
-            case 'i':
-                read_input_option();
-                break;
-            case 'o':
-                read_output_option();
-                break;
-            default:
-                unknown();
-        }
-    }
-
-    void read_preset() {
-        const std::string& equation = argument();
-        const std::size_t equals = equation.find('=');
-        if (equals == std::string::npos) throw Error("option -s needs name=text, not " + equation);
-        settings_.presets[equation.substr(0, equals)] = equation.substr(equals + 1);
-    }
-
-    void read_input_option() {
-        if (option_ == "-i") {
-            settings_.input_form = NumberForm::text;
-            settings_.binary_columns = 0;
-            settings_.input_format = read_record_format(argument(), settings_.ignore_newlines);
-            return;
-        }
-        if (option_[2] == 'n') {
-            settings_.input_limit = count();
-            return;
-        }
-        const auto form = number_form(option_[2]);
-        if (!form) unknown();
-        settings_.input_form = *form;
-        settings_.binary_columns = *form == NumberForm::text ? 0 : 1;
-        const std::string columns = option_.substr(3);
-        if (*form == NumberForm::text || columns.empty()) return;
-        constexpr int most_columns = 1 << 20;
-        int number = 0;
-        if (!parse_int(columns, number) || number < 1 || number > most_columns)
-            throw Error("bad number of columns in option " + option_);
-        settings_.binary_columns = static_cast<std::size_t>(number);
-    }
-
-    void read_output_option() {
-        if (option_ == "-o") {
-            settings_.output_form = NumberForm::text;
-            RecordFormat format = read_record_format(argument(), settings_.ignore_newlines);
-            for (Field& field : format)
-                if (field.kind == Field::Kind::number)
-                    field.expression = settings_.library.compile(field.text, Location{"-o", 1, 1});
-            settings_.output_format = std::move(format);
-        } else if (option_[2] == 'n') {
-            settings_.output_limit = count();
-        } else if (const auto form = number_form(option_[2])) {
-            settings_.output_form = *form;
-        } else {
-            unknown();
-        }
-    }
-
-    std::vector<std::string> words_;
-    std::size_t next_ = 0;
-    std::string option_;
-    Settings settings_;
+struct FormLetter {
+    char letter;
+    NumberForm form;
+    const char* name;
+};
+constexpr FormLetter form_letters[] = {
+    {'a', NumberForm::text, "text"},
+    {'f', NumberForm::float32, "floats"},
+    {'F', NumberForm::float32_swapped, "floats of the other byte order"},
+    {'d', NumberForm::float64, "doubles"},
+    {'D', NumberForm::float64_swapped, "doubles of the other byte order"},
 };
 
+void add_input_rows(OptionTable& options, Settings& s) {
+    options
+        .custom(
+            "-i", "s",
+            [&s](const OptionValues& given) {
+                s.input_form = NumberForm::text;
+                s.binary_columns = 0;
+                s.input_format = read_record_format(given.text(0), s.ignore_newlines);
+            },
+            "format of input records, or a file that holds it")
+        .named("format");
+    for (const FormLetter& row : form_letters) {
+        const auto set = [&s, form = row.form](const OptionValues& given) {
+            constexpr int most_columns = 1 << 20;
+            int columns = form == NumberForm::text ? 0 : 1;
+            if (!given.attached.empty() &&
+                (!parse_int(given.attached, columns) || columns < 1 || columns > most_columns))
+                given.reject("bad number of columns");
+            s.input_form = form;
+            s.binary_columns = static_cast<std::size_t>(columns);
+        };
+        const std::string spelling = std::string("-i") + row.letter;
+        if (row.form == NumberForm::text)
+            options.custom(spelling, "", set, "the input is text");
+        else
+            options.attached(spelling, "", set,
+                             std::string("the input is ") + row.name + ", so many a record as is joined on");
+    }
+    options
+        .custom(
+            "-in", "i", [&s](const OptionValues& given) { s.input_limit = given.integer(0); },
+            "records to read from a file")
+        .named("number")
+        .at_least(0);
+}
+
+void add_output_rows(OptionTable& options, Settings& s) {
+    options
+        .custom(
+            "-o", "s",
+            [&s](const OptionValues& given) {
+                s.output_form = NumberForm::text;
+                RecordFormat format = read_record_format(given.text(0), s.ignore_newlines);
+                for (Field& field : format)
+                    if (field.kind == Field::Kind::number)
+                        field.expression = s.library.compile(field.text, Location{"-o", 1, 1});
+                s.output_format = std::move(format);
+            },
+            "format of output records, or a file that holds it")
+        .named("format");
+    for (const FormLetter& row : form_letters)
+        options.custom(
+            std::string("-o") + row.letter, "",
+            [&s, form = row.form](const OptionValues&) { s.output_form = form; },
+            std::string("the output is ") + row.name);
+    options
+        .custom(
+            "-on", "i", [&s](const OptionValues& given) { s.output_limit = given.integer(0); },
+            "records to write for a file")
+        .named("number")
+        .at_least(0);
+}
+
+void add_definition_rows(OptionTable& options, Settings& s) {
+    options
+        .custom(
+            "-e", "s",
+            [&s](const OptionValues& given) {
+                s.library.define(given.text(0), Location{"-e", 1, 1});
+            },
+            "definitions")
+        .named("definitions");
+    options
+        .custom(
+            "-f", "s", [&s](const OptionValues& given) { s.library.load_file(given.text(0)); },
+            "file of definitions")
+        .named("file.cal");
+    options
+        .custom(
+            "-s", "s",
+            [&s](const OptionValues& given) {
+                const std::string& equation = given.text(0);
+                const std::size_t equals = equation.find('=');
+                if (equals == std::string::npos) given.reject("expected name=text");
+                s.presets[equation.substr(0, equals)] = equation.substr(equals + 1);
+            },
+            "gives a text to a field; only records that agree are taken")
+        .named("name=text");
+}
+
 }  // namespace
+
+OptionTable option_table(Settings& s) {
+    OptionTable options("rcalc", "[file ..]");
+    options.describe("Calculates with the numbers of each record of the files, or of the standard input.");
+    options.take_words_literally();
+    const auto flip = [&options](const char* spelling, bool& target, const char* help) {
+        options.custom(
+            spelling, "", [&target](const OptionValues&) { target = !target; }, help);
+    };
+    flip("-b", s.exact_blanks, "blanks must match the input format");
+    flip("-l", s.ignore_newlines, "line ends count as blanks");
+    flip("-w", s.quiet, "no warnings");
+    flip("-u", s.unbuffered, "write each record at once");
+    options.custom(
+        "-p", "", [&s](const OptionValues&) { s.passive = Passive::unmatched; },
+        "pass on what does not match the input format");
+    options.custom(
+        "-P", "", [&s](const OptionValues&) { s.passive = Passive::unmatched_and_refused; },
+        "the same, and records for which cond is not positive");
+    options.custom(
+        "-n", "",
+        [&s](const OptionValues&) {
+            s.no_input = true;
+            s.library.set_constant_folding(false);
+        },
+        "no input: one record");
+    options.attached(
+        "-t", "",
+        [&s](const OptionValues& given) {
+            if (given.attached.empty()) given.reject("needs a character joined on", "as in -t,");
+            s.separator = given.attached[0];
+        },
+        "the character joined on separates columns");
+    add_definition_rows(options, s);
+    add_input_rows(options, s);
+    add_output_rows(options, s);
+    return options;
+}
 
 Settings::Settings() : library(column_builtins()) {
     library.allow_output_channels(true);
     library.define("PI : 3.14159265358979323846", {});
 }
 
-Settings read_command_line(int argc, char** argv) { return CommandLine(argc, argv).read(); }
+bool read_command_line(int argc, char** argv, Settings& settings) {
+    const auto files = option_table(settings).parse(argc, argv);
+    if (!files) return false;
+    settings.files = *files;
+    if (settings.no_input && !settings.files.empty())
+        throw Error("option -n reads no input", "files were named");
+    const bool formats = settings.input_format && settings.output_format;
+    if (settings.passive != Passive::off && !formats && !settings.no_input)
+        throw Error("options -p and -P need the formats -i and -o");
+    return true;
+}
 
 }  // namespace infra::rcalc

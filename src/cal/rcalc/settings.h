@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cal/library.h"
+#include "common/options.h"
 #include "record_format.h"
 
 namespace infra::rcalc {
@@ -39,7 +40,12 @@ struct Settings {
     std::vector<std::string> files;
 };
 
-/// Reads the command line; options act in their order, as in RADIANCE. throws Error for misuse.
-Settings read_command_line(int argc, char** argv);
+/// The table refers to `settings`, which must outlive it. Options act in their order, as in RADIANCE.
+OptionTable option_table(Settings& settings);
+
+/// Reads the command line.
+///   returns  false if -help or -version was answered
+///   throws   Error for misuse
+bool read_command_line(int argc, char** argv, Settings& settings);
 
 }  // namespace infra::rcalc

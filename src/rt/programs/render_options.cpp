@@ -21,11 +21,16 @@ void add_names(NameFilter& filter, NameFilter::Mode mode, const std::vector<std:
 void add_direct_rows(OptionTable& table, RenderOptions& options) {
     RenderSettings& settings = options.settings;
     table.real("-dt", &settings.shadow_threshold, "direct threshold");
-    table.real("-dc", &settings.shadow_certainty, "direct certainty");
-    table.real("-dj", &settings.source_jitter, "direct jitter");
+    table.real("-dc", &settings.shadow_certainty, "direct certainty")
+        .differing(
+            "lights beyond -dt are judged by one test in each group at the same point, not by past rays");
+    table.real("-dj", &settings.source_jitter, "direct jitter")
+        .differing("samples on round lights are evenly spread");
     table.real("-ds", &settings.source_size_ratio, "direct sampling");
-    table.integer("-dr", &settings.direct_relays, "direct relays");
-    table.integer("-dp", &settings.direct_pretest, "direct pretest density");
+    table.integer("-dr", &settings.direct_relays, "direct relays")
+        .differing("images of images are dropped only if no straight line passes all mirrors");
+    table.integer("-dp", &settings.direct_pretest, "direct pretest density")
+        .differing("fixed rays, not random ones; shadows between mirror and lamp are always followed");
     table.toggle("-dv", &settings.sources_visible, "direct visibility");
 }
 
@@ -52,15 +57,21 @@ void add_ambient_rows(OptionTable& table, RenderOptions& options) {
     add_color_row(table, "-av", settings.ambient_value, "%f", "ambient value");
     table.integer("-aw", &settings.ambient_value_weight, "ambient value weight");
     table.integer("-ab", &settings.ambient_bounces, "ambient bounces");
-    table.real("-aa", &settings.ambient_accuracy, "ambient accuracy");
+    table.real("-aa", &settings.ambient_accuracy, "ambient accuracy")
+        .differing(
+            "above 0 the threads share one cache, and even light has no gradient: what differs is listed "
+            "under "
+            "irradiance in compatibility.md");
     table.integer("-ar", &settings.ambient_resolution, "ambient resolution");
-    table.integer("-ad", &settings.ambient_divisions, "ambient divisions");
+    table.integer("-ad", &settings.ambient_divisions, "ambient divisions")
+        .differing("above 1048576 with -aa above 0: 1048576");
     table.integer("-as", &settings.ambient_super_samples, "ambient super-samples");
     table
         .custom(
             "-af", "s", [&settings](const OptionValues& given) { settings.ambient_file = given.text(0); },
             "ambient file: cached values of other runs are read, new ones added")
-        .named("file");
+        .named("file")
+        .differing("a damaged file is refused and left as it is, not cut off at the first bad value");
     add_name_filter(table, "-a", settings.ambient_filter, "in indirect light");
 }
 
@@ -76,7 +87,8 @@ void add_air_row(OptionTable& table, RenderSettings& settings) {
         .custom(
             "-mp", "s", [&settings](const OptionValues& given) { settings.air_path = given.text(0); },
             "medium path: transmittance and radiance of the air along camera rays")
-        .named("file");
+        .named("file")
+        .ours();
 }
 
 void add_channel_rows(OptionTable& table, RenderOptions& options) {
@@ -95,6 +107,10 @@ void add_channel_rows(OptionTable& table, RenderOptions& options) {
             },
             "wavelength limits (nm)")
         .named("nmA nmB")
+        .differing(
+            "a range that does not reach red, green and blue gives the means of its thirds with a warning; "
+            "with "
+            "-cs 3 three bands")
         .shown([=] {
             const bool given = o->wavelength_ends[0] != 0 || o->wavelength_ends[1] != 0;
             return shown_if_spectral(
@@ -192,7 +208,7 @@ void add_render_options(OptionTable& table, RenderOptions& options) {
     table
         .toggle("-u", &options.uncorrelated, "uncorrelated Monte Carlo sampling",
                 "correlated quasi-Monte Carlo sampling")
-        .help += " (no effect: samples are stratified, and independent from ray to ray)";
+        .differing("no effect: samples are stratified within a hemisphere and independent from ray to ray");
     table.toggle("-bv", &settings.back_faces_visible, "back face visibility");
     add_direct_rows(table, options);
     table.real("-ss", &settings.specular_samples, "specular sampling");

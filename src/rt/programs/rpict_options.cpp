@@ -22,12 +22,16 @@ void add_pixel_rows(OptionTable& table, RpictOptions& options) {
 }
 
 void add_output_rows(OptionTable& table, RpictOptions& options) {
-    add_spectrum_row(table, options.color, options.render.channel_count).unlisted().help =
+    add_spectrum_row(table, options.color, options.render.channel_count).unlisted().ours().help =
         "write RADIANCE's spectral format, one value a channel";
     table
         .text("-o", &options.output,
               "picture file; .exr is written as float OpenEXR with all channels, .hsr as spectra")
-        .named("file");
+        .named("file")
+        .differing(
+            "replaced when the picture is complete, where RADIANCE's must not exist and grows; endings of "
+            "other "
+            "formats are refused");
     table.text("-z", &options.depth_output, "file for the distances of the pixels, raw floats").named("file");
     const std::string sequences = "rendering a sequence of views is not built yet";
     const std::string recovery = "an unfinished picture is never kept, so none can be finished";
@@ -55,7 +59,7 @@ OptionTable rpict_option_table(RpictOptions& options) {
     });
     add_warning_option(table, options.render);
     add_render_options(table, options.render);
-    table.integer("-n", &options.threads, "number of threads, 0: all cores").at_least(0);
+    table.integer("-n", &options.threads, "number of threads, 0: all cores").at_least(0).ours();
     add_output_rows(table, options);
     return table;
 }

@@ -20,9 +20,10 @@ void set_formats(RtraceOptions& options, const OptionValues& given) {
 void add_stream_rows(OptionTable& table, RtraceOptions& options) {
     RtraceOptions* const o = &options;
     table.toggle("-I", &options.immediate_irradiance, "immediate irradiance").shown({});
-    table.integer("-n", &options.threads, "number of rendering processes").at_least(1).shown([o] {
-        return formatted("-n %-2d", o->threads);
-    });
+    table.integer("-n", &options.threads, "number of rendering processes")
+        .at_least(1)
+        .differing("threads that give the same numbers for any -n while -aa is 0")
+        .shown([o] { return formatted("-n %-2d", o->threads); });
     table.integer("-x", &options.width, "x resolution, or rays between flushes").at_least(0).remark([o] {
         return o->width && o->height ? "x resolution" : "flush interval";
     });
@@ -45,6 +46,7 @@ void add_stream_rows(OptionTable& table, RtraceOptions& options) {
     table
         .attached(
             "-o", "", [o](const OptionValues& given) { o->letters = given.attached; }, help)
+        .differing("R and X through a medium count its loss in the mirror image too")
         .shown([o] { return formatted("-o%-9s", o->letters.c_str()); })
         .remark([o] { return "output" + output_names(o->letters); });
 }
@@ -63,7 +65,10 @@ OptionTable rtrace_option_table(RtraceOptions& options) {
     add_stream_rows(table, options);
     add_primaries_rows(table, options.color);
     add_response_rows(table, options.color);
-    add_spectrum_row(table, options.color, options.render.channel_count);
+    add_spectrum_row(table, options.color, options.render.channel_count)
+        .differing(
+            "after -pXYZ, -pY, -pS or -pM it writes the channels, where RADIANCE keeps their factor of 179 "
+            "or 412");
     add_render_options(table, options.render);
     add_name_filter(table, "-t", options.tree_filter, "in the tree of -ot");
     return table;

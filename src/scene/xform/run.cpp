@@ -123,9 +123,11 @@ void Program::command(const Settings& settings, const std::string& line, const s
 
 void run(const std::vector<std::string>& words, std::FILE* out) {
     Program program(out);
-    for_each_call(words,
-                  {[&](std::vector<std::string> call) { program.call(parse_settings(std::move(call))); },
-                   [&](const std::string& line) { program.remark(line); }});
+    for_each_call(words, {[&](std::vector<std::string> call) {
+                              if (const auto settings = parse_settings(std::move(call)))
+                                  program.call(*settings);
+                          },
+                          [&](const std::string& line) { program.remark(line); }});
     program.finish();
 }
 

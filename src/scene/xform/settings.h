@@ -1,10 +1,12 @@
 // One application of xform: the options in front, the transform, the files.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "common/options.h"
 #include "scene/transform.h"
 
 namespace infra::xform {
@@ -26,8 +28,13 @@ struct Settings {
     std::span<const std::string> files() const { return std::span(words).subspan(transform_end); }
 };
 
+/// All options of xform. The first of the transform's takes the rest of the command line. -a and -f are
+/// carried out before (repetition.h) and refused here. The table refers to `settings`, which must outlive it.
+OptionTable option_table(Settings& settings);
+
 /// Reads a command line without -a and -f.
-///   throws  Error "command line error at '-zz'" for what is neither an option, a transform nor a file
-Settings parse_settings(std::vector<std::string> words);
+///   returns  nothing if -help or -version was answered
+///   throws   Error "command line error at '-zz'" for what is neither an option, a transform nor a file
+std::optional<Settings> parse_settings(std::vector<std::string> words);
 
 }  // namespace infra::xform

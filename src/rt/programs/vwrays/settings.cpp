@@ -3,14 +3,11 @@
 #include <algorithm>
 
 #include "common/error.h"
-#include "common/options.h"
 #include "common/pictures/picture_layout.h"
 #include "common/views/view_options.h"
 
 namespace infra {
 namespace {
-
-constexpr int usual_side = 512;
 
 /// The view and the order of pixels of a picture that was rendered.
 void take_picture(const std::string& path, VwraysSettings& settings) {
@@ -23,10 +20,7 @@ void take_picture(const std::string& path, VwraysSettings& settings) {
 
 }  // namespace
 
-std::optional<VwraysSettings> read_vwrays_settings(int argc, char** argv) {
-    VwraysSettings settings;
-    settings.order.width = settings.order.height = usual_side;
-    double pixel_aspect = 1;
+OptionTable vwrays_option_table(VwraysSettings& settings) {
     OptionTable table("vwrays", "[picture [distances]]");
     table.describe(
         "Writes the origin and direction of the ray through each pixel of a view, or of a picture. With a "
@@ -44,9 +38,13 @@ std::optional<VwraysSettings> read_vwrays_settings(int argc, char** argv) {
     add_view_options(table, settings.view);  // after -f: "-vf" is its own
     table.integer("-x", &settings.order.width, "x resolution").at_least(1);
     table.integer("-y", &settings.order.height, "y resolution").at_least(1);
-    table.real("-pa", &pixel_aspect, "pixel aspect ratio").at_least(0);
+    table.real("-pa", &settings.pixel_aspect, "pixel aspect ratio").at_least(0);
     table.real("-pj", &settings.pixel_jitter, "pixel jitter");
-    table.real("-pd", &settings.lens_diameter, "pixel depth-of-field").at_least(0);
+    table.real("-pd", &settings.lens_diameter, "pixel depth-of-field")
+        .at_least(0)
+        .differing(
+            "in a parallel view the lens moves along with the ray, where RADIANCE's rays all go to one "
+            "point");
     table.integer("-c", &settings.repeats, "rays a pixel");
     table.custom(
         "-i", "", [&settings](const OptionValues&) { settings.pixels_from_input = true; },
@@ -56,7 +54,12 @@ std::optional<VwraysSettings> read_vwrays_settings(int argc, char** argv) {
     table.custom(
         "-d", "", [&settings](const OptionValues&) { settings.only_dimensions = true; },
         "write only the options of rtrace for the size");
-    const auto operands = table.parse(argc, argv);
+    return table;
+}
+
+std::optional<VwraysSettings> read_vwrays_settings(int argc, char** argv) {
+    VwraysSettings settings;
+    const auto operands = vwrays_option_table(settings).parse(argc, argv);
     if (!operands) return std::nullopt;
     if (operands->size() > 2)
         throw Error("command line error at '" + (*operands)[2] + "': a picture and its distances at most");
@@ -64,7 +67,8 @@ std::optional<VwraysSettings> read_vwrays_settings(int argc, char** argv) {
     if (!operands->empty()) take_picture(operands->front(), settings);
     set_up_view(settings.view);
     if (operands->empty())
-        fit_resolution(view_aspect(settings.view), pixel_aspect, settings.order.width, settings.order.height);
+        fit_resolution(view_aspect(settings.view), settings.pixel_aspect, settings.order.width,
+                       settings.order.height);
     else if (operands->size() > 1)
         settings.depth_file = (*operands)[1];
     return settings;
