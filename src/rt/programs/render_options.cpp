@@ -62,6 +62,11 @@ void add_ambient_rows(OptionTable& table, RenderOptions& options) {
             "ambient file: cached values of other runs are read, new ones added")
         .named("file");
     add_name_filter(table, "-a", settings.ambient_filter, "in indirect light");
+    table
+        .real("-gs", &settings.guided_samples,
+              "guided samples: rays of a hemisphere or lobe sent to bright sky and hot surfaces")
+        .unlisted()
+        .at_least(0);
 }
 
 void add_mist_rows(OptionTable& table, RenderSettings& settings) {
