@@ -41,6 +41,8 @@ struct RenderSettings {
     int ambient_super_samples = 128;     ///< -as: extra rays where neighbours differ
     NameFilter ambient_filter;           ///< -ai -ae
 
+    double guided_samples = 0;  ///< -gs: rays of a hemisphere or lobe sent to what is bright (guiding/guide.h)
+
     // Participating medium everywhere but where a mist says otherwise
     float extinction[3] = {0, 0, 0};         ///< -me: per scene unit
     float scattering_albedo[3] = {0, 0, 0};  ///< -ma

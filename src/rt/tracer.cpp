@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 
+#include "rt/guiding/guided_share.h"
 #include "rt/materials/scattering.h"
 #include "rt/scratch.h"
 #include "rt/volume/cut.h"
@@ -26,6 +28,7 @@ Tracer::Tracer(const CompiledScene& scene, const RenderSettings& settings, std::
       seed_(seed),
       random_(seed, 0),
       evaluator_(scene.program()),
+      guide_(settings.guided_samples > 0 ? scene.guide() : nullptr),
       scratch_(std::make_unique<Scratch>()) {}
 
 Tracer::~Tracer() = default;
@@ -68,11 +71,15 @@ void Tracer::trace_in_vacuum(Interaction& at) {
         return;
     }
     if (at.ray->max_distance > tiny) return;  // ended by the aft clipping plane
-    if (meet_distant_source(at)) shade_chain(scene_.finish(at.surface).modifier, at);
+    view_sky(at);
     if (at.sky) {
         at.sky->radiance = at.radiance;
         at.sky->share.fill(1.0f);
     }
+}
+
+void Tracer::view_sky(Interaction& at) {
+    if (meet_distant_source(at)) shade_chain(scene_.finish(at.surface).modifier, at);
 }
 
 // Along a camera ray. Distant sources, as the sky, are given as the camera sees them: the air dims the rest,
@@ -325,6 +332,8 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
         child.coefficient *= 1.0f / static_cast<float>(count);
         child.weight /= count;
     }
+    std::optional<GuidedShare> guided;
+    if (guide_ && lobe.exact(count)) guided.emplace(*this, at.point, at.weight);
     Spectrum sum(at.channels()), tint(at.channels(), 1.0f);
     int draws = 0;
     for (int traced = 0; (lobe.redraws ? traced : draws) < count && draws < 10 * count; ++draws) {
@@ -343,9 +352,29 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
             lobe.tint(draw.wi, tint);
             seen.radiance *= tint;
         }
-        sum.add_scaled(seen.radiance, static_cast<float>(draw.weight));
+        double weight = draw.weight;
+        if (guided) weight *= guided->weight_of_others(draw.wi, count * lobe.pdf(draw.wi));
+        sum.add_scaled(seen.radiance, static_cast<float>(weight));
     }
     at.radiance.add_scaled(sum, static_cast<float>(count) / static_cast<float>(draws));
+    if (guided) guide_lobe(lobe, count, *guided, at);
+}
+
+// Rays of a lobe that go where it is bright.
+void Tracer::guide_lobe(const Lobe& lobe, int count, const GuidedShare& guided, Interaction& at) {
+    Spectrum radiance(at.channels()), tint(at.channels());
+    for (int i = 0; i < guided.count(); ++i) {
+        const Vec3 wi = guided.draw();
+        const double value = lobe.eval(wi, 0);
+        if (!(value > 0)) continue;
+        Spectrum coefficient =
+            lobe.coefficient * static_cast<float>(value / guided.total(wi, count * lobe.pdf(wi)));
+        if (lobe.colored) {
+            lobe.tint(wi, tint);
+            coefficient *= tint;
+        }
+        if (trace_guided(lobe.kind, coefficient, wi, at, radiance)) at.radiance += radiance;
+    }
 }
 
 bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, const Spectrum* coefficient) {

@@ -19,6 +19,7 @@
 
 namespace infra {
 
+class Guide;
 class IrradianceCache;
 class Scattering;
 struct SourceAim;
@@ -40,8 +41,8 @@ class Tracer {
     void start_stream(std::uint64_t index) { random_ = RandomStream(seed_, index); }
     RandomStream& random() { return random_; }
 
-    /// Interpolates diffuse interreflection among values of this cache, and adds new ones; nullptr, as at the start:
-    /// every hemisphere is computed. Threads may share it; it must outlive the tracer.
+    /// Interpolates diffuse interreflection among values of this cache, and adds new ones; nullptr, as at the
+    /// start: every hemisphere is computed. Threads may share it; it must outlive the tracer.
     void use_irradiance_cache(IrradianceCache* cache) { irradiance_cache_ = cache; }
 
     /// direction must have unit length; max_distance 0: no limit.
@@ -49,6 +50,8 @@ class Tracer {
 
     /// Radiance along at.ray: finds what it meets, and shades it.
     void trace(Interaction& at);
+    /// Radiance of what stands at infinity along the ray, whatever is in the way.
+    void view_sky(Interaction& at);
     /// Only finds what the ray meets.
     void cast(Interaction& at);
     /// Irradiance [W m^-2] of a surface at the ray's origin that faces back along the ray (rtrace -I).
@@ -109,11 +112,20 @@ class Tracer {
     void trace_through(const Scattering& scattering, Interaction& at);
     int lobe_ray_count(const class Lobe& lobe, const Interaction& at) const;
     void trace_lobe(const class Lobe& lobe, Interaction& at);
+    void guide_lobe(const class Lobe& lobe, int count, const class GuidedShare& guided, Interaction& at);
+
+    // guiding/guided_rays.cpp
+    friend class GuidedShare;
+    /// One ray of this coefficient towards what is bright, unless it is too light and unlucky.
+    ///   returns  false if it was not traced; else radiance holds what it adds
+    bool trace_guided(std::uint16_t kind, const Spectrum& coefficient, const Vec3& direction,
+                      const Interaction& at, Spectrum& radiance);
 
     // ambient/cached_ambient.cpp
     friend class HemisphereGatherer;  // ambient/hemisphere_gatherer.h
     const Spectrum& assumed_ambient(Spectrum& average) const;
-    bool add_cached_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at);
+    bool add_cached_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side,
+                            Interaction& at);
 
     // volume/participation.cpp
     void participate(Interaction& at);
@@ -127,6 +139,7 @@ class Tracer {
     bool sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spectrum& sum);
     bool sample_cell(Hemisphere& half, int cell, Interaction& at, Spectrum& radiance);
     bool spawn_ambient(Hemisphere& half, const Interaction& at);
+    void guide_hemisphere(Hemisphere& half, const Spectrum& coefficient, Interaction& at, Spectrum& sum);
     bool trace_ambient(Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance);
 
     // sources/direct.cpp
@@ -142,6 +155,7 @@ class Tracer {
     RandomStream random_;
     cal::Evaluator evaluator_;
     IrradianceCache* irradiance_cache_ = nullptr;
+    const Guide* guide_;  // where rays are sent besides, nullptr: nowhere
     RayObserver* observer_ = nullptr;
     bool observe_shadows_ = false;
     const char* stack_base_ = nullptr;  // where the primary ray under way was started

@@ -5,9 +5,12 @@
 // RADIANCE 6.1.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "rt/ambient/cosine_direction.h"
 #include "rt/ambient/hemisphere_cells.h"
+#include "rt/guiding/guided_share.h"
 #include "rt/scratch.h"
 #include "rt/tracer.h"
 
@@ -30,6 +33,22 @@ struct Tracer::Hemisphere {
     Spectrum share;  ///< coefficient of one ray
     Ray ray;         ///< each of them but for its direction
     bool steady;     ///< all rays are heavy enough to be traced, so that `ray` serves for all
+    std::optional<GuidedShare> guided;
+
+    /// Where a ray for this direction of the textured hemisphere goes: what falls below the surface is turned
+    /// back.
+    Vec3 turned_back(const Vec3& direction) const {
+        const double height = tilted ? dot(direction, surface_normal) : 1.0;
+        return height < 0 ? direction - surface_normal * (2.0 * height) : direction;
+    }
+    /// Density [1/sr] of the rays that are not guided, 0 below the surface.
+    double density(const Vec3& wi) const {
+        const double height = dot(wi, surface_normal);
+        if (height <= 0) return 0;
+        double cosines = std::fmax(dot(wi, normal), 0.0);
+        if (tilted) cosines += std::fmax(dot(wi - surface_normal * (2.0 * height), normal), 0.0);
+        return cosines * std::numbers::inv_pi;
+    }
 };
 
 void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at) {
@@ -49,7 +68,8 @@ void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool o
                         1,
                         coefficient,
                         Ray(at.channels()),
-                        false};
+                        false,
+                        std::nullopt};
         make_frame(normal, half.u, half.v);
         Spectrum sum(at.channels());
         if (sample_hemisphere(half, at, sum)) {
@@ -72,14 +92,15 @@ bool Tracer::trace_ambient(Hemisphere& half, double x, double y, Interaction& at
     if (!half.steady && !spawn_ambient(half, at)) return false;
     Ray& child = half.ray;
     const Vec3 local = cosine_direction(x, y);
-    child.direction = half.u * local.x + half.v * local.y + half.normal * local.z;
-    if (half.tilted) {  // by a texture: what falls below the surface is turned back
-        const double height = dot(child.direction, half.surface_normal);
-        if (height < 0) child.direction -= half.surface_normal * (2.0 * height);
-    }
+    child.direction = half.turned_back(half.u * local.x + half.v * local.y + half.normal * local.z);
     Interaction seen(child);
     trace(seen);
     radiance = seen.radiance * child.coefficient;
+    if (half.guided) {
+        const double count = half.divisions * half.divisions;
+        radiance *= static_cast<float>(
+            half.guided->weight_of_others(child.direction, count * half.density(child.direction)));
+    }
     return true;
 }
 
@@ -95,6 +116,11 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
     half.divisions = std::clamp(static_cast<int>(std::sqrt(settings_.ambient_divisions * weight) + 0.5), 1,
                                 most_divisions);
     const int cell_count = half.divisions * half.divisions;
+    const Spectrum whole = half.share;
+    if (guide_) {
+        half.guided.emplace(*this, at.point, at.weight);
+        guide_hemisphere(half, whole, at, sum);
+    }
     half.share *= 1.0f / static_cast<float>(cell_count);
     const double ray_weight = at.weight * half.share.maximum();
     half.steady = ray_weight > settings_.min_weight && half.share.maximum() <= 1;
@@ -113,6 +139,20 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
             ++traced;
         }
     return traced > 0;
+}
+
+// Rays of a hemisphere that go where it is bright.
+void Tracer::guide_hemisphere(Hemisphere& half, const Spectrum& coefficient, Interaction& at, Spectrum& sum) {
+    const double count = half.divisions * half.divisions;
+    Spectrum radiance(at.channels());
+    for (int i = 0; i < half.guided->count(); ++i) {
+        const Vec3 wi = half.guided->draw();
+        const double density = half.density(wi);
+        if (!(density > 0)) continue;
+        const double share = density / half.guided->total(wi, count * density);
+        if (trace_guided(half.kind, coefficient * static_cast<float>(share), wi, at, radiance))
+            sum += radiance;
+    }
 }
 
 // One ray through a random place of a cell.

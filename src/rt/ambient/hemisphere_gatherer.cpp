@@ -53,6 +53,7 @@ HemisphereGatherer::HemisphereGatherer(Tracer& tracer, Interaction& at, const Ir
     if (views.size() <= level) views.resize(level + 1);
     view_ = std::move(views[level]);  // its memory; deeper levels may move the list
     tracer_.random_ = RandomStream(tracer.seed_, name_of(place.point, place.level));
+    if (tracer.guide_) guided_.emplace(tracer, place.point, weight_);
 }
 
 HemisphereGatherer::~HemisphereGatherer() {
@@ -71,6 +72,7 @@ HemisphereGatherer::Outcome HemisphereGatherer::gather(const CacheLimits& limits
     value.radiance.clear();
     for (const HemisphereCell& cell : view_.cells) value.radiance += cell.mean;
     value.radiance *= 1.0f / static_cast<float>(cell_count);
+    if (guided_) trace_guided(value.radiance);
     if (traced < cell_count) return Outcome::value_only;
     value.point = place_.point;
     value.normal = place_.normal;
@@ -102,6 +104,10 @@ bool HemisphereGatherer::trace(int cell, double x, double y, bool first, Spectru
     Interaction seen(child);
     tracer_.trace(seen);
     radiance = seen.radiance * boost;
+    if (guided_) {
+        const double others = divisions_ * divisions_ * local.z * std::numbers::inv_pi;
+        radiance *= static_cast<float>(guided_->weight_of_others(child.direction, others));
+    }
     const double distance = seen.apparent_distance();
     if (!(distance > tiny)) return false;
     MeshCorner& corner = view_.corners[static_cast<std::size_t>(cell)];
@@ -153,6 +159,20 @@ void HemisphereGatherer::trace_more() {
             cell.mean *= static_cast<float>(k) / static_cast<float>(k + 1);
             cell.mean.add_scaled(radiance, 1.0f / static_cast<float>(k + 1));
         }
+    }
+}
+
+// Rays to where it is bright. What they add is taken for the same all around the place.
+void HemisphereGatherer::trace_guided(Spectrum& sum) {
+    Spectrum radiance(at_.channels());
+    for (int i = 0; i < guided_->count(); ++i) {
+        const Vec3 wi = guided_->draw();
+        const double density = dot(wi, place_.normal) * std::numbers::inv_pi;
+        if (!(density > 0)) continue;
+        const double share = density / guided_->total(wi, divisions_ * divisions_ * density);
+        const Spectrum assumed(at_.channels(), static_cast<float>(assumed_reflectance * share));
+        if (tracer_.trace_guided(kind_, assumed, wi, at_, radiance))
+            sum.add_scaled(radiance, static_cast<float>(1 / assumed_reflectance));
     }
 }
 

@@ -5,7 +5,10 @@
 // Gradients" (1992) for the derivative with the normal; hemisphere_mesh.h for those with the place.
 #pragma once
 
+#include <optional>
+
 #include "rt/ambient/irradiance_cache.h"
+#include "rt/guiding/guided_share.h"
 #include "rt/scratch.h"
 
 namespace infra {
@@ -32,6 +35,7 @@ class HemisphereGatherer {
     bool trace(int cell, double x, double y, bool first, Spectrum& radiance);
     int trace_grid();
     void trace_more();
+    void trace_guided(Spectrum& sum);
     void describe_change(const CacheLimits& limits, IrradianceValue& value);
     void turn_gradient(IrradianceValue& value) const;
 
@@ -42,6 +46,7 @@ class HemisphereGatherer {
     Vec3 u_, v_;
     double weight_;
     int divisions_;
+    std::optional<GuidedShare> guided_;
     HemisphereView view_;
     RandomStream others_;  // the ray's random stream, until the end
 };

@@ -15,6 +15,7 @@
 #include "rt/compile/scene_part.h"
 #include "rt/compile/surface_table.h"
 #include "rt/geometry/geometry.h"
+#include "rt/guiding/guide.h"
 #include "rt/modifier.h"
 #include "rt/settings.h"
 #include "rt/sources/light_source.h"
@@ -56,6 +57,18 @@ class CompiledScene {
     const std::vector<int>& distant_sources() const { return distant_; }
     /// Sources that direct light is computed for.
     const std::vector<int>& sampled_sources() const { return sampled_; }
+
+    /// A surface that emits and is not aimed at as a source, and a ball around it. Listed only for -gs above
+    /// 0.
+    struct EmittingSurface {
+        int surface;
+        Vec3 center;
+        double radius;
+    };
+    const std::vector<EmittingSurface>& emitting_surfaces() const { return emitting_; }
+
+    /// Where it is bright (-gs above 0), nullptr: nothing stands out.
+    const Guide* guide() const { return guide_.get(); }
 
     /// White Lambertian of reflectance pi, which turns radiance into irradiance (-i, -I).
     const Modifier& irradiance_material() const { return *irradiance_material_; }
@@ -100,6 +113,8 @@ class CompiledScene {
     std::vector<LightSource> sources_;
     std::vector<int> distant_;
     std::vector<int> sampled_;
+    std::vector<EmittingSurface> emitting_;
+    std::unique_ptr<const Guide> guide_;
     std::unique_ptr<cal::Program> program_;
     std::vector<std::string> warnings_;
 };

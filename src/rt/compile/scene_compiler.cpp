@@ -11,6 +11,7 @@
 #include "rt/sources/virtual_sources.h"
 #include "rt/volume/antimatter.h"
 #include "rt/volume/mist.h"
+#include "scene/surface_geometry.h"
 
 namespace infra {
 
@@ -63,6 +64,7 @@ class SceneCompiler {
         add_images(relays);
         for (const auto& modifier : out_.modifiers_)
             if (auto* mist = dynamic_cast<Mist*>(modifier.get())) mist->find_sources(out_, out_.warnings_);
+        if (settings_.guided_samples > 0) out_.guide_ = Guide::build(out_, settings_);
     }
 
   private:
@@ -78,6 +80,7 @@ class SceneCompiler {
 
     void make_sources() {
         bool indirect = false;
+        InstanceBoxes boxes(scene_);
         std::vector<Surface>& surfaces = out_.surfaces_.surfaces;
         for (std::size_t i = 0; i < surfaces.size(); ++i) {
             Surface& surface = surfaces[i];
@@ -85,6 +88,7 @@ class SceneCompiler {
             if (type == PrimitiveType::instance || type == PrimitiveType::mesh) continue;
             const Finish& finish = out_.finish(static_cast<int>(i));
             const Modifier* material = finish.material ? Modifier::material_of(finish.modifier) : nullptr;
+            if (settings_.guided_samples > 0) note_emission(static_cast<int>(i), type, boxes);
             const Emitter* emitter = material ? material->emitter() : nullptr;
             if (!emitter) continue;
             // What emits besides reflecting is worth seeing without any light.
@@ -105,8 +109,19 @@ class SceneCompiler {
             if (!source.skip) out_.sampled_.push_back(surface.source);
             out_.sources_.push_back(source);
         }
+        std::erase_if(out_.emitting_, [&](const CompiledScene::EmittingSurface& emitting) {
+            return out_.surface(emitting.surface).source >= 0;
+        });
         if (out_.sampled_.empty() && !indirect && !surfaces.empty())
             out_.warnings_.push_back("no light sources found");
+    }
+
+    void note_emission(int number, PrimitiveType type, InstanceBoxes& boxes) {
+        const Finish& finish = out_.finish(number);
+        if (!finish.material || !finish.material->emits || type == PrimitiveType::source) return;
+        const Box box = surface_box(scene_, out_.surface(number).primitive, boxes);
+        const double radius = box.empty() ? 0.0 : 0.5 * length(box.high - box.low);
+        if (radius > same_place) out_.emitting_.push_back({number, (box.low + box.high) * 0.5, radius});
     }
 
     // Traces rays, so that all else must be in its place.

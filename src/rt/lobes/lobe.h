@@ -47,6 +47,9 @@ class Lobe {
     /// What the tracer's mean over `count` samples, weights and lost ones together, expects to be: 1 for a
     /// lobe that loses no energy. Its albedo is `coefficient` times this.
     virtual double mean_weight(int) const { return 1; }
+    /// Whether the weight of each of `count` samples is eval(wi, 0) / pdf(wi): any other density may then take the
+    /// place of some of them.
+    virtual bool exact(int) const { return false; }
     /// Number of samples wanted for a ray of this weight, at least 1.
     virtual int sample_count(double ray_weight) const = 0;
 

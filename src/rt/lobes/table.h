@@ -47,6 +47,8 @@ class TableLobe final : public Lobe {
         return dot(wi, surface_normal_) > same_place ? LobeDraw{wi, weight} : LobeDraw{wi, 0.0, weight};
     }
 
+    bool exact(int) const override { return true; }
+
     double pdf(const Vec3& wi) const override { return sampler_.pdf(wo_, to_local(wi)); }
 
     void tint(const Vec3& wi, Spectrum& factor) const override {

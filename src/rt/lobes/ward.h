@@ -108,6 +108,10 @@ class WardReflection final : public Lobe {
                (4.0 * local.z * local.z * local.z * -dot(half, s_.view_direction));
     }
 
+    bool exact(int count) const override {
+        return count > 1 && dot(s_.frame.normal, s_.surface_normal) > 1 - same_place;
+    }
+
     double mean_weight(int count) const override {
         return count > 1 && s_.energy ? s_.energy->mean_weight(s_.frame.to_local(-s_.view_direction), count)
                                       : 1.0;

@@ -73,6 +73,11 @@ void add_ambient_rows(OptionTable& table, RenderOptions& options) {
         .named("file")
         .differing("a damaged file is refused and left as it is, not cut off at the first bad value");
     add_name_filter(table, "-a", settings.ambient_filter, "in indirect light");
+    table
+        .real("-gs", &settings.guided_samples,
+              "guided samples: rays of a hemisphere or lobe sent to bright sky and hot surfaces")
+        .unlisted()
+        .at_least(0);
 }
 
 void add_mist_rows(OptionTable& table, RenderSettings& settings) {
