@@ -156,7 +156,8 @@ class PartialReader {
     }
 
     /// Memory grows with what the file holds, whatever it says.
-    void read_floats(std::vector<float>& values, std::size_t count) {
+    template <class T>
+    void read_values(std::vector<T>& values, std::size_t count) {
         constexpr std::size_t portion = 1 << 22;
         while (values.size() < count) {
             const std::size_t old = values.size(), more = std::min(portion, count - old);
@@ -170,13 +171,13 @@ class PartialReader {
         rows.height = start.finished_rows;
         rows.channels = start.finished_channels;
         rows.space = static_cast<ColorSpace>(start.finished_space);
-        read_floats(rows.pixels, std::size_t(rows.width) * rows.height * rows.channels);
+        read_values(rows.pixels, std::size_t(rows.width) * rows.height * rows.channels);
     }
 
     void read_frame(const Preamble& start, Frame& frame) {
         const std::size_t pixels = std::size_t(start.width) * start.height;
-        std::vector<std::uint8_t> traced(pixels);
-        get(traced.data(), pixels);
+        std::vector<std::uint8_t> traced;
+        read_values(traced, pixels);
         frame.picture.width = start.width;
         frame.picture.height = start.height;
         frame.picture.channels = start.channels;
