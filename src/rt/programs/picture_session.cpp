@@ -68,14 +68,22 @@ PictureSession::PictureSession(const LoadedScene& loaded, const RpictOptions& op
 
 int PictureSession::sample_spacing() const { return std::clamp(options_.sample_spacing, 1, widest_spacing); }
 
+/// None where the picture is blurred, or a medium lies before them all.
+std::vector<SmallSource> PictureSession::small_sources_in(const Camera& camera,
+                                                          const RpictOptions& options) const {
+    const bool blurred = camera.lens_diameter > 0 || (camera.previous && camera.motion_blur > 0);
+    if (blurred || !options.render.settings.sources_visible || loaded_.scene->medium()) return {};
+    return find_small_sources(*loaded_.scene, camera.view, options.width, options.height, sample_spacing());
+}
+
 void PictureSession::render(int number, const View& view, const std::optional<View>& previous,
                             std::optional<Recovery> recovery) {
     const CompiledScene& scene = *loaded_.scene;
-    const Camera camera{.view = recovery && recovery->view_found ? recovery->partial.view : view,
-                        .previous = previous,
-                        .motion_blur = options_.motion_blur,
-                        .lens_diameter = options_.lens_diameter,
-                        .pixel_jitter = options_.pixel_jitter};
+    Camera camera{.view = recovery && recovery->view_found ? recovery->partial.view : view,
+                  .previous = previous,
+                  .motion_blur = options_.motion_blur,
+                  .lens_diameter = options_.lens_diameter,
+                  .pixel_jitter = options_.pixel_jitter};
     const RpictOptions options = options_of(options_, number, camera.view, recovery);
     PartialFrame partial = recovery ? std::move(recovery->partial) : PartialFrame{};
     partial.view = camera.view;
@@ -87,6 +95,12 @@ void PictureSession::render(int number, const View& view, const std::optional<Vi
         partial.frame =
             empty_frame(options.width, options.height, !options.depth_output.empty(), scene.channels());
         if (!depths_found.empty()) partial.frame.depth = std::move(depths_found);
+    }
+    const std::vector<SmallSource> small_sources = small_sources_in(camera, options);
+    for (const SmallSource& small : small_sources) {
+        const auto surface = static_cast<std::size_t>(scene.source(small.source).surface);
+        if (camera.passed_sources.size() <= surface) camera.passed_sources.resize(surface + 1, -1);
+        camera.passed_sources[surface] = small.source;
     }
     const FrameOptions size{.width = options.width,
                             .height = options.height,
@@ -108,6 +122,12 @@ void PictureSession::render(int number, const View& view, const std::optional<Vi
         keep(options, std::move(partial), number);
     }
     progress.finish();
+    if (!small_sources.empty()) {
+        Tracer tracer(scene, options.render.settings);
+        tracer.use_irradiance_cache(cache_);
+        paint_small_sources(small_sources, camera.view, tracer, size.first_row, partial.frame);
+        faults_.add(tracer);
+    }
     if (cache_) cache_->flush();
 
     std::vector<std::string> lines = header_lines(loaded_.header, command_line_);

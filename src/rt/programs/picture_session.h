@@ -10,6 +10,7 @@
 #include "rt/programs/program_setup.h"
 #include "rt/programs/render_frame.h"
 #include "rt/programs/rpict_options.h"
+#include "rt/programs/small_sources.h"
 
 namespace infra {
 
@@ -35,6 +36,7 @@ class PictureSession {
 
   private:
     int sample_spacing() const;
+    std::vector<SmallSource> small_sources_in(const Camera& camera, const RpictOptions& options) const;
     [[noreturn]] void keep(const RpictOptions& options, PartialFrame partial, int number) const;
 
     const LoadedScene& loaded_;

@@ -45,6 +45,48 @@ bool PixelTracer::find_ray(double x, double y, Vec3& origin, Vec3& direction, do
     return move_on_lens(camera_.view, camera_.lens_diameter, chance, origin, direction);
 }
 
+int PixelTracer::passed_source(int surface) const {
+    if (surface < 0 || surface >= static_cast<int>(camera_.passed_sources.size())) return -1;
+    return camera_.passed_sources[static_cast<std::size_t>(surface)];
+}
+
+/// What is behind such a source, or beside one that nothing is behind. Returns its distance.
+double PixelTracer::trace_past(const Interaction& source, std::span<float> pixel) {
+    constexpr int most_passed = 100;
+    Ray ray = *source.ray;
+    const double fore = ray.fore;
+    int surface = source.surface;
+    double step = source.distance;
+    PlacedShape leaving{source.flat_shape, source.placement};
+    for (int passed = 0; passed < most_passed; ++passed) {
+        const LightSource& light = tracer_.scene().source(passed_source(surface));
+        if (light.distant()) {
+            constexpr double beside = 1.01;  // of its radius
+            const double sine = std::sqrt(1 - light.least_cosine * light.least_cosine);
+            Vec3 outwards = ray.direction - light.center * dot(ray.direction, light.center);
+            if (!(length(outwards) > 0)) outwards = cross(light.center, camera_.view.up);
+            if (!(length(outwards) > 0)) outwards = camera_.view.image_x;
+            ray.direction = normalize(light.center + normalize(outwards) * (beside * sine));
+        } else {
+            ray.origin += ray.direction * step;
+            ray.fore += step;  // the camera stays where it is
+            ray.leaving = leaving;
+            if (ray.max_distance > 0 && (ray.max_distance -= step) <= 0) break;
+        }
+        Interaction at(ray);
+        tracer_.trace(at);
+        surface = at.surface;
+        if (passed_source(surface) < 0) {
+            for (int c = 0; c < at.channels(); ++c) pixel[c] = at.radiance[c];
+            return ray.fore - fore + at.apparent_distance();
+        }
+        step = at.distance;
+        leaving = {at.flat_shape, at.placement};
+    }
+    std::fill(pixel.begin(), pixel.end(), 0.0f);
+    return 0;
+}
+
 void PixelTracer::trace(int column, int row) {
     throw_if_interrupted();
     Picture& picture = frame_.picture;
@@ -65,7 +107,10 @@ void PixelTracer::trace(int column, int row) {
         Interaction at(ray);
         tracer_.trace(at);
         for (int c = 0; c < at.channels(); ++c) pixel[c] = at.radiance[c];
-        if (!frame_.depth.empty()) frame_.depth[index] = static_cast<float>(at.apparent_distance());
+        double depth = at.apparent_distance();
+        if (passed_source(at.surface) >= 0) [[unlikely]]
+            depth = trace_past(at, pixel);
+        if (!frame_.depth.empty()) frame_.depth[index] = static_cast<float>(depth);
     }
     if (!frame_.traced.empty()) frame_.traced[index] = 1;
 }

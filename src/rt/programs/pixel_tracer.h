@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/pictures/picture.h"
@@ -25,6 +26,9 @@ struct Camera {
     std::optional<View> previous;  ///< of the picture before, set up: what motion is measured from
     double motion_blur = 0;        ///< share of the time between two pictures that the shutter is open
     double lens_diameter = 0;      ///< scene units; in focus is what lies at the view's distance
+    /// By surface: a light source that its rays pass as if it were not there, or -1. Surfaces beyond the end
+    /// are seen.
+    std::vector<int> passed_sources;
     double pixel_jitter = 0;       ///< 0..1, share of the pixel over which its sample is spread
 };
 
@@ -46,6 +50,8 @@ class PixelTracer {
   private:
     double jittered();
     bool find_ray(double x, double y, Vec3& origin, Vec3& direction, double& reach);
+    int passed_source(int surface) const;
+    double trace_past(const Interaction& source, std::span<float> pixel);
     bool blur_motion(double x, double y, Vec3& origin, Vec3& direction, double& reach);
 
     Tracer tracer_;
