@@ -15,7 +15,6 @@ namespace {
 
 /// SIGALRM tells that the first of the others has had no answer in time.
 constexpr std::array<int, 4> handled{SIGINT, SIGTERM, SIGHUP, SIGALRM};
-constexpr unsigned seconds_to_answer = 2;
 
 /// A path that the signal handler may read at any moment: written first, then published by `state`.
 struct Slot {
@@ -26,6 +25,7 @@ struct Slot {
 
 // A signal handler has no argument of ours, so its state cannot live anywhere else.
 std::atomic<int> first_signal{0};  // 0: none yet
+std::atomic<unsigned> seconds_to_answer{0};
 std::array<Slot, 16> slots;
 std::array<struct sigaction, handled.size()> earlier_actions;
 
@@ -52,8 +52,11 @@ void throw_if_interrupted() {
     if (interrupted()) throw Error("interrupted", {}, Severity::internal);
 }
 
-InterruptGuard::InterruptGuard() {
+void ending_in_order() { alarm(0); }
+
+InterruptGuard::InterruptGuard(unsigned seconds) {
     first_signal = 0;
+    seconds_to_answer = seconds;
     struct sigaction action {};
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);

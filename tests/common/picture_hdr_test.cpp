@@ -211,6 +211,34 @@ TEST(Hdr, MalformedFilesGiveOneClearLine) {
               "cannot open picture \"" + (folder / "none.hdr") + "\": No such file or directory");
 }
 
+TEST(Hdr, CompleteRowsOfAnyTruncationAreRead) {
+    Picture picture{.width = 9, .height = 5};
+    for (int i = 0; i < 9 * 5 * 3; ++i) picture.pixels.push_back(1.0f + float(i % 7));
+    TemporaryFolder folder;
+    const std::string path = folder / "cut.hdr";
+    write_hdr(path, picture);
+    const Picture whole = read_picture(path);
+    const std::string bytes = read_text_file(path);
+    const std::size_t start = bytes.find("+X") + 2;
+    int most = 0;
+    for (std::size_t size = bytes.find('\n', start) + 1; size <= bytes.size(); ++size) {
+        write_file(path, bytes.substr(0, size));
+        std::FILE* const file = std::fopen(path.c_str(), "rb");
+        const UnfinishedRows found = read_unfinished_hdr(file, path);
+        std::fclose(file);
+        EXPECT_EQ(found.height, 5);
+        EXPECT_GE(found.rows.height, most);
+        most = found.rows.height;
+        ASSERT_EQ(found.rows.pixels.size(), std::size_t(most) * 9 * 3);
+        EXPECT_TRUE(std::equal(found.rows.pixels.begin(), found.rows.pixels.end(), whole.pixels.begin()));
+        EXPECT_EQ(most == 5, size == bytes.size());
+    }
+    write_file(path, bytes.substr(0, start));
+    std::FILE* const file = std::fopen(path.c_str(), "rb");
+    EXPECT_NE(error_of([&] { read_unfinished_hdr(file, path); }), "no error");
+    std::fclose(file);
+}
+
 TEST(Hdr, EveryTruncationIsAnError) {
     const TemporaryFolder folder;
     write_hdr(folder / "p.hdr", picture_of(sample_pixels(50, 4), 50, 4));

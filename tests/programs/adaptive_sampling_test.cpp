@@ -52,6 +52,12 @@ TEST(SampleGrid, is_a_quincunx) {
     EXPECT_EQ(grid.columns(2), grid.columns(0));
 }
 
+TEST(SampleGrid, may_begin_below_the_top) {
+    const std::vector<int> rows = SampleGrid(20, 10, 4, 3).rows();
+    EXPECT_EQ(rows, (std::vector<int>{3, 6, 9}));
+    EXPECT_EQ(SampleGrid(20, 10, 4, 9).rows(), std::vector<int>{9});
+}
+
 TEST(SampleGrid, reaches_both_ends_of_any_size) {
     for (int width = 1; width < 30; ++width)
         for (int spacing = 1; spacing <= 16; ++spacing) {

@@ -174,11 +174,17 @@ TEST(Options, of_mist_are_numbers_of_any_size) {
     EXPECT_EQ(settings.medium_step, 5);
 }
 
-TEST(Options, of_blur_and_channels_are_taken_when_they_ask_for_nothing) {
-    EXPECT_EQ(refusal<RpictOptions>({"-pm", "0", "-pd", "0", "-cs", "3", "-dr", "3"}), "taken");
-    EXPECT_EQ(refusal<RpictOptions>({"-pm", ".5"}),
-              "command line error at '-pm .5': value is not supported (motion blur is not built yet, only 0 "
-              "is taken)");
+TEST(Options, of_sequences_and_recovery_are_read) {
+    const Parsed<RpictOptions> parsed({"-S", "12", "-ro", "a%d.hdr", "-pm", ".5", "-pd", ".25", "-PP", "p"});
+    EXPECT_EQ(parsed.options.first_number, 12);
+    EXPECT_TRUE(parsed.options.is_sequence());
+    EXPECT_EQ(parsed.options.recover, "a%d.hdr");
+    EXPECT_EQ(parsed.options.output, "a%d.hdr");
+    EXPECT_EQ(parsed.options.motion_blur, .5);
+    EXPECT_EQ(parsed.options.lens_diameter, .25);
+    EXPECT_EQ(parsed.options.render.persist_file, "p");
+    EXPECT_FALSE(Parsed<RpictOptions>({"-S", "0"}).options.is_sequence());
+    EXPECT_FALSE(Parsed<RpictOptions>({"-S", "-3"}).options.is_sequence());
 }
 
 TEST(Options, of_channels_and_colors_are_listed_as_radiance_does) {
@@ -227,11 +233,10 @@ TEST(Options, that_radiance_has_and_we_have_not_are_refused_by_name) {
         EXPECT_TRUE(text.starts_with("command line error at '" + option + "': option is not supported ("))
             << text;
     };
-    for (const char* option : {"-ap", "-am", "-P", "-PP"}) {
+    for (const char* option : {"-ap", "-am"}) {
         expect_refused(refusal<RpictOptions>({option}), option);
         expect_refused(refusal<RtraceOptions>({option}), option);
     }
-    for (const char* option : {"-S", "-r", "-ro"}) expect_refused(refusal<RpictOptions>({option}), option);
 }
 
 TEST(Options, that_make_no_sense_are_refused) {

@@ -10,6 +10,7 @@
 namespace infra {
 namespace {
 
+using test::error_of;
 using test::Folder;
 using test::Outcome;
 
@@ -174,7 +175,7 @@ TEST_F(Rpict, takes_its_octree_from_a_command_and_from_its_input) {
     EXPECT_EQ(test::run(folder, options + "< scene.oct").out, file);
 }
 
-TEST_F(Rpict, leaves_no_picture_behind_when_it_is_stopped) {
+TEST_F(Rpict, leaves_nothing_that_looks_whole_when_it_is_stopped) {
     scene(room);
     // The first report tells that rays are being traced. A background command of a shell ignores SIGINT; env
     // undoes it.
@@ -182,17 +183,25 @@ TEST_F(Rpict, leaves_no_picture_behind_when_it_is_stopped) {
         return test::run(folder,
                          "rm -f log; env --default-signal=INT rpict -t 1000 -ab 5 -ad 4096 -ps 1 -x 2000 -y "
                          "2000 -z z.zbf " +
-                             output + " 2> log & while ! grep -q rays log; do sleep .02; done; kill -" +
+                             output +
+                             " 2> log & while ! grep -q rays log && kill -0 $!; do sleep .02; done; kill -" +
                              signal + " $!; wait $!");
     };
     for (const char* signal : {"TERM", "INT"}) {
         EXPECT_EQ(stop(signal, "-o p.hdr scene.oct").status, 3);
-        EXPECT_TRUE(folder.read("log").ends_with("rpict: interrupted\n")) << folder.read("log");
+        EXPECT_TRUE(folder.read("log").ends_with(
+            "rpict: interrupted (the same command with -ro \"p.hdr\" goes on from \"p.hdr.partial\")\n"))
+            << folder.read("log");
         EXPECT_TRUE(left_nothing("p.hdr"));
         EXPECT_TRUE(left_nothing("z.zbf"));
+        EXPECT_TRUE(folder.has("p.hdr.partial"));
+        EXPECT_FALSE(folder.has("p.hdr.partial.part"));
     }
     EXPECT_EQ(stop("TERM", "scene.oct > p.hdr").status, 3);
-    EXPECT_EQ(folder.read("p.hdr"), "");
+    EXPECT_NE(error_of([&] { read_picture(folder.path("p.hdr")); }).find("unknown picture format"),
+              std::string::npos);
+    EXPECT_EQ(stop("TERM", "-o /dev/null scene.oct").status, 3);  // which cannot be gone on with
+    EXPECT_TRUE(folder.read("log").ends_with("rpict: interrupted\n")) << folder.read("log");
 }
 
 TEST_F(Rpict, reports_progress) {

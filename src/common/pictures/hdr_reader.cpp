@@ -24,15 +24,8 @@ class HdrReader {
 
     Picture read() {
         Picture picture;
-        read_header(picture);
-        const ScanOrder size = read_order();
-        picture.width = size.width;
-        picture.height = size.height;
-        if (1LL * size.width * size.height > most_values / picture.channels)
-            fail("bad picture: it is larger than we can hold");
+        const ScanOrder size = read_start(picture);
         const int length = size.scanline_length(), count = size.scanline_count();
-        if (1LL * length * (picture.channels + 1) > longest_scanline)
-            fail("bad picture: its scanlines are longer than we can hold");
         std::vector<float> scans;  // grows with what the file really holds
         std::vector<std::uint8_t> bytes(std::size_t(length) * (picture.channels + 1));
         for (scanline_ = 0; scanline_ < count; ++scanline_) {
@@ -43,7 +36,38 @@ class HdrReader {
         return picture;
     }
 
+    UnfinishedRows read_unfinished() {
+        UnfinishedRows result;
+        Picture& picture = result.rows;
+        const ScanOrder size = read_start(picture);
+        if (!size.is_standard()) fail("its scanlines do not run from the top", "it cannot be finished");
+        result.height = size.height;
+        std::vector<std::uint8_t> bytes(std::size_t(size.width) * (picture.channels + 1));
+        try {
+            for (scanline_ = 0; scanline_ < size.height; ++scanline_) {
+                read_scanline(bytes, size.width, picture.channels);
+                append_floats(picture.pixels, bytes, picture.channels);
+            }
+        } catch (const Error&) {  // here is its end
+        }
+        picture.height = scanline_;
+        return result;
+    }
+
   private:
+    /// Everything before the pixels.
+    ScanOrder read_start(Picture& picture) {
+        read_header(picture);
+        const ScanOrder size = read_order();
+        picture.width = size.width;
+        picture.height = size.height;
+        if (1LL * size.width * size.height > most_values / picture.channels)
+            fail("bad picture: it is larger than we can hold");
+        if (1LL * size.scanline_length() * (picture.channels + 1) > longest_scanline)
+            fail("bad picture: its scanlines are longer than we can hold");
+        return size;
+    }
+
     [[noreturn]] void fail(const std::string& what, const std::string& hint = {}) const {
         throw Error(Location{name_}, what, hint);
     }
@@ -105,8 +129,7 @@ class HdrReader {
         std::string text;
         const auto order = line(text) ? parse_scan_order(text) : std::nullopt;
         if (order) return *order;
-        if (is_resolution_line(text))
-            fail("bad picture: illegal resolution \"" + text + "\"");
+        if (is_resolution_line(text)) fail("bad picture: illegal resolution \"" + text + "\"");
         fail("bad picture: no resolution line such as \"-Y 480 +X 640\"");
     }
 
@@ -191,5 +214,9 @@ class HdrReader {
 }  // namespace
 
 Picture read_hdr(std::FILE* file, const std::string& name) { return HdrReader(file, name).read(); }
+
+UnfinishedRows read_unfinished_hdr(std::FILE* file, const std::string& name) {
+    return HdrReader(file, name).read_unfinished();
+}
 
 }  // namespace infra

@@ -80,6 +80,15 @@ Picture read_exr(const std::string& path);
 /// order. `name` is for error messages.
 Picture read_hdr(std::FILE* file, const std::string& name);
 
+/// What is there of a picture whose program was stopped.
+struct UnfinishedRows {
+    Picture rows;    ///< the complete ones at the top; its height is their number, which may be 0
+    int height = 0;  ///< of the whole picture
+};
+/// Reads a picture in RADIANCE's format that ends anywhere after its resolution line, or is whole.
+///   throws  Error as read_hdr before that, and for scanlines in another order than from the top left
+UnfinishedRows read_unfinished_hdr(std::FILE* file, const std::string& name);
+
 /// Writes a .hdr picture from top to bottom, one scanline after another, to a stream that stays the caller's.
 class HdrWriter {
   public:

@@ -82,6 +82,10 @@ std::string format_view(const View& view);
 /// Reads the view options in a text, passing over anything else. Returns how many there were.
 int parse_view(std::string_view text, View& view);
 
+/// The first view option in a text that parse_view passes over, for it is misspelt or lacks numbers; "" if
+/// none. A word that is no view option at all is none.
+std::string bad_view_word(std::string_view text);
+
 /// Whether a header line holds a view: "VIEW= ..." or the command line of a program that takes views, such as
 /// rpict.
 bool is_view_line(std::string_view line);

@@ -78,6 +78,17 @@ int parse_view(std::string_view text, View& view) {
     return count;
 }
 
+std::string bad_view_word(std::string_view text) {
+    const std::vector<std::string> words = split_words(text);
+    View view;
+    for (std::size_t i = 0; i < words.size();) {
+        const std::size_t taken = apply_view_word(words, i, view);
+        if (taken == 0 && words[i].size() > 2 && words[i].starts_with("-v")) return words[i];
+        i += std::max<std::size_t>(taken, 1);
+    }
+    return {};
+}
+
 bool is_view_line(std::string_view line) {
     std::string_view word = line.substr(0, line.find_first_of(" \t\r\n"));
     if (const std::size_t slash = word.rfind('/'); slash != std::string_view::npos)

@@ -22,11 +22,12 @@ std::vector<int> positions(int first, int step, int last) {
 
 }  // namespace
 
-SampleGrid::SampleGrid(int width, int height, int spacing) {
+SampleGrid::SampleGrid(int width, int height, int spacing, int first_row) {
     // On a quincunx the samples of a line are twice as far apart as the lines.
     const int step_x = std::max(1, static_cast<int>(std::lround(spacing * std::numbers::sqrt2)));
     const int step_y = std::max(1, static_cast<int>(std::lround(spacing / std::numbers::sqrt2)));
-    rows_ = positions(step_y, step_y, height - 1);
+    rows_ = positions(step_y, step_y, height - 1 - first_row);
+    for (int& row : rows_) row += first_row;
     columns_[0] = positions(step_x, step_x, width - 1);
     columns_[1] = positions(step_x / 2, step_x, width - 1);
 }

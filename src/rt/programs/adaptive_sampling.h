@@ -16,10 +16,10 @@ namespace infra {
 /// Where the first samples lie.
 class SampleGrid {
   public:
-    /// spacing: about one sample for spacing x spacing pixels, >= 1.
-    SampleGrid(int width, int height, int spacing);
+    /// spacing: about one sample for spacing x spacing pixels, >= 1. first_row: rows above it need none.
+    SampleGrid(int width, int height, int spacing, int first_row = 0);
 
-    /// Rows of the base lines, from 0 to height-1.
+    /// Rows of the base lines, from first_row to height-1.
     const std::vector<int>& rows() const { return rows_; }
     /// Columns of the samples on base line `line`, from 0 to width-1.
     const std::vector<int>& columns(int line) const { return columns_[line % 2]; }

@@ -13,6 +13,7 @@
 #include "common/format.h"
 #include "common/pictures/spectral_header.h"
 #include "common/version.h"
+#include "rt/programs/frame_name.h"
 #include "rt/programs/value_converter.h"
 
 namespace infra {
@@ -124,13 +125,20 @@ bool writes_colors(const RpictOptions& options) {
 
 void check_writable(const RpictOptions& options) {
     refuse_foreign(options.output);
-    check_writable(options.output);
-    check_writable(options.depth_output);
+    if (options.is_sequence()) return;  // others may be at work on it
+    check_writable(frame_name(options.output, 0));
+    check_writable(frame_name(options.depth_output, 0));
 }
 
-void write_frame(Frame frame, const CompiledScene& scene, const RpictOptions& options,
-                 const std::vector<std::string>& first_lines, const std::string& command_line) {
+void write_frame(Frame frame, const Picture& finished_rows, const CompiledScene& scene,
+                 const RpictOptions& options, const std::vector<std::string>& first_lines,
+                 const std::string& command_line) {
     Picture picture = in_output_channels(std::move(frame.picture), options, scene.channels());
+    if (finished_rows.height > 0) {
+        if (finished_rows.channels != picture.channels)
+            throw Error("recovered scanlines have other channels", {}, Severity::internal);
+        std::ranges::copy(finished_rows.pixels, picture.pixels.begin());
+    }
     picture.header = picture_header(first_lines, options, picture, scene);
     if (!options.depth_output.empty()) write_depth(options.depth_output, frame.depth);
     if (is_exr(options.output)) {
@@ -138,7 +146,7 @@ void write_frame(Frame frame, const CompiledScene& scene, const RpictOptions& op
     } else if (!options.output.empty()) {
         write_hdr(options.output, picture);
     } else {
-        write_hdr(stdout, picture);
+        write_hdr(stdout, picture);  // and flushes it
     }
 }
 

@@ -1,6 +1,9 @@
 // The radiance of single pixels.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "common/pictures/picture.h"
@@ -13,6 +16,20 @@ namespace infra {
 struct Frame {
     Picture picture;
     std::vector<float> depth;  ///< distance a pixel; empty when nobody wants it
+    /// A byte a pixel: 1 if its value was traced, and so is known, not interpolated. Empty when nobody asks.
+    std::vector<std::uint8_t> traced;
+};
+
+/// Where the rays of a pixel start and go.
+struct Camera {
+    View view;                     ///< set up
+    std::optional<View> previous;  ///< of the picture before, set up: what motion is measured from
+    double motion_blur = 0;        ///< share of the time between two pictures that the shutter is open
+    double lens_diameter = 0;      ///< scene units; in focus is what lies at the view's distance
+    /// By surface: a light source that its rays pass as if it were not there, or -1. Surfaces beyond the end
+    /// are seen.
+    std::vector<int> passed_sources;
+    double pixel_jitter = 0;       ///< 0..1, share of the pixel over which its sample is spread
 };
 
 /// Traces pixels of a frame. The value of a pixel is a function of its place alone: neither the order nor the
@@ -20,12 +37,11 @@ struct Frame {
 /// different pixels of it.
 class PixelTracer {
   public:
-    /// jitter: 0..1, share of the pixel over which its sample is spread. `view` is set up; everything
-    /// outlives this.
-    PixelTracer(const CompiledScene& scene, const RenderSettings& settings, const View& view, double jitter,
+    /// Everything outlives this.
+    PixelTracer(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
                 Frame& frame);
 
-    /// Fills in one pixel: black, at distance 0, where the view has no ray.
+    /// Fills in one pixel, unless it is known: black, at distance 0, where the view has no ray.
     ///   throws  Error "interrupted" after a signal
     void trace(int column, int row);
 
@@ -33,10 +49,13 @@ class PixelTracer {
 
   private:
     double jittered();
+    bool find_ray(double x, double y, Vec3& origin, Vec3& direction, double& reach);
+    int passed_source(int surface) const;
+    double trace_past(const Interaction& source, std::span<float> pixel);
+    bool blur_motion(double x, double y, Vec3& origin, Vec3& direction, double& reach);
 
     Tracer tracer_;
-    const View& view_;
-    double jitter_;
+    const Camera& camera_;
     Frame& frame_;
 };
 

@@ -7,26 +7,14 @@
 namespace infra {
 namespace {
 
-Frame empty_frame(const FrameOptions& options, const Channels& channels) {
-    Frame frame;
-    const std::size_t pixels = static_cast<std::size_t>(options.width) * options.height;
-    frame.picture.width = options.width;
-    frame.picture.height = options.height;
-    frame.picture.channels = channels.count();
-    frame.picture.space = channels.is_rgb() ? ColorSpace::rgb : ColorSpace::spectrum;
-    frame.picture.pixels.resize(pixels * channels.count());
-    if (options.want_depth) frame.depth.resize(pixels);
-    return frame;
-}
-
 /// What one thread needs.
 struct Painter {
     PixelTracer pixels;
     GapFiller gaps;
 
-    Painter(const CompiledScene& scene, const RenderSettings& settings, const View& view,
+    Painter(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
             const FrameOptions& options, const SampleGrid& grid, Frame& frame)
-        : pixels(scene, settings, view, options.pixel_jitter, frame),
+        : pixels(scene, settings, camera, frame),
           gaps(grid, frame, options.sample_contrast,
                [this](int column, int row) { pixels.trace(column, row); }) {}
     Painter(const Painter&) = delete;
@@ -34,13 +22,27 @@ struct Painter {
 
 }  // namespace
 
-Frame render_frame(const CompiledScene& scene, const RenderSettings& settings, const View& view,
-                   const FrameOptions& options, Workers& workers, Progress& progress, TracerFaults& faults) {
-    Frame frame = empty_frame(options, scene.channels());
-    const SampleGrid grid(options.width, options.height, options.sample_spacing);
+Frame empty_frame(int width, int height, bool with_depth, const Channels& channels) {
+    Frame frame;
+    const std::size_t pixels = static_cast<std::size_t>(width) * height;
+    frame.picture.width = width;
+    frame.picture.height = height;
+    frame.picture.channels = channels.count();
+    frame.picture.space = channels.is_rgb() ? ColorSpace::rgb : ColorSpace::spectrum;
+    frame.picture.pixels.resize(pixels * channels.count());
+    if (with_depth) frame.depth.resize(pixels);
+    frame.traced.resize(pixels);
+    return frame;
+}
+
+void render_frame(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
+                  const FrameOptions& options, Workers& workers, Progress& progress, Frame& frame,
+                  TracerFaults& faults) {
+    if (options.first_row >= options.height) return;
+    const SampleGrid grid(options.width, options.height, options.sample_spacing, options.first_row);
     std::vector<std::unique_ptr<Painter>> painters;
     for (int i = 0; i < workers.count(); ++i)
-        painters.push_back(std::make_unique<Painter>(scene, settings, view, options, grid, frame));
+        painters.push_back(std::make_unique<Painter>(scene, settings, camera, options, grid, frame));
     for (const auto& painter : painters) painter->pixels.tracer().use_irradiance_cache(options.cache);
 
     // Each pass reads only what the one before has finished.
@@ -64,7 +66,6 @@ Frame render_frame(const CompiledScene& scene, const RenderSettings& settings, c
         [&](int line) { return options.width * (grid.rows()[line + 1] - grid.rows()[line] - 1); });
 
     for (const auto& painter : painters) faults.add(painter->pixels.tracer());
-    return frame;
 }
 
 }  // namespace infra

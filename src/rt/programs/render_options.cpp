@@ -9,10 +9,6 @@
 namespace infra {
 namespace {
 
-std::function<std::string()> fixed(std::string text) {
-    return [text = std::move(text)] { return text; };
-}
-
 void add_names(NameFilter& filter, NameFilter::Mode mode, const std::vector<std::string>& names) {
     if (filter.mode != mode) filter = {mode, {}};
     filter.names.insert(filter.names.end(), names.begin(), names.end());
@@ -157,15 +153,21 @@ void add_definition_rows(OptionTable& table, RenderOptions& options) {
         .named("file.cal");
 }
 
+void add_persistence_rows(OptionTable& table, RenderOptions& options) {
+    const auto set_file = [&options](const OptionValues& given) { options.persist_file = given.text(0); };
+    table
+        .custom("-P", "s", set_file,
+                "serve commands that name the same file from one copy of the scene, until killed")
+        .named("file");
+    table.custom("-PP", "s", set_file, "the same as -P").named("file");
+}
+
 void add_refused_rows(OptionTable& table) {
     const std::string photons = "photon maps are not built yet";
-    const std::string persistence = "persistent processes are not built yet";
     table.unsupported("-ap", "s", photons);
     table.unsupported("-am", "f", photons);
     table.unsupported("-ac", "i", photons);
     table.unsupported("-aC", "i", photons);
-    table.unsupported("-P", "s", persistence);
-    table.unsupported("-PP", "s", persistence);
     table.unsupported("-features", "", "-help lists what there is");
 }
 
@@ -224,6 +226,7 @@ void add_render_options(OptionTable& table, RenderOptions& options) {
     add_channel_rows(table, options);
     add_limit_rows(table, settings);
     add_definition_rows(table, options);
+    add_persistence_rows(table, options);
     add_refused_rows(table);
 }
 
@@ -248,16 +251,6 @@ void add_name_filter(OptionTable& table, const std::string& prefix, NameFilter& 
     };
     add_pair(NameFilter::Mode::include, "iI", "only");
     add_pair(NameFilter::Mode::exclude, "eE", "without");
-}
-
-OptionRow& add_zero_option(OptionTable& table, std::string spelling, std::string pattern, std::string shown,
-                           std::string help, std::string reason) {
-    const auto refuse_others = [reason = std::move(reason)](const OptionValues& given) {
-        for (std::size_t i = 0; i < given.values.size(); ++i)
-            if (given.real(i) != 0) given.reject("value is not supported", reason);
-    };
-    return table.custom(std::move(spelling), std::move(pattern), refuse_others, std::move(help))
-        .shown(fixed(std::move(shown)));
 }
 
 }  // namespace infra

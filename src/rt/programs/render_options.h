@@ -14,13 +14,14 @@ struct RenderOptions {
     RenderSettings settings;
     std::vector<FunctionDefinition> definitions;  ///< -e, -f, in order
     std::string error_file;                       ///< -e without a definition: stderr goes there
+    std::string persist_file;                     ///< -P, -PP; empty: none
     bool warnings = true;                         ///< -w
     int channel_count = 3;                        ///< -cs
     double wavelength_ends[2] = {0, 0};           ///< -cw, nm; 0: not given
 
     /// What -cs and -cw ask for. throws Error as Channels::spectral.
     Channels channels() const;
-    bool uncorrelated = false;                    ///< -u: accepted, every ray's samples are independent
+    bool uncorrelated = false;  ///< -u: accepted, every ray's samples are independent
 };
 
 /// What the programs start from.
@@ -38,10 +39,5 @@ void add_render_options(OptionTable& table, RenderOptions& options);
 ///   what   of which modifiers, "in indirect light"
 void add_name_filter(OptionTable& table, const std::string& prefix, NameFilter& filter,
                      const std::string& what);
-
-/// Adds an option of numbers that RADIANCE has and that is built here for zeros alone; others are refused.
-///   shown  as -defaults lists it
-OptionRow& add_zero_option(OptionTable& table, std::string spelling, std::string pattern, std::string shown,
-                           std::string help, std::string reason);
 
 }  // namespace infra

@@ -1,39 +1,97 @@
 #include "rt/programs/rpict.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "common/error.h"
-#include "common/format.h"
 #include "common/interrupt.h"
+#include "common/parse_number.h"
 #include "rt/programs/ambient_setup.h"
+#include "rt/programs/frame_name.h"
+#include "rt/programs/persistent_server.h"
 #include "rt/programs/picture_output.h"
-#include "rt/programs/render_frame.h"
+#include "rt/programs/picture_session.h"
 #include "rt/programs/rpict_options.h"
+#include "rt/programs/view_sequence.h"
 
 namespace infra {
 namespace {
 
-constexpr int widest_spacing = 16;
-constexpr double most_pixels = 1e9;
+/// As RADIANCE: to end in good order, pixel and file included.
+constexpr unsigned seconds_to_end = 15;
 
-/// Size and sampling of the picture; the resolution is fitted to the view.
-FrameOptions frame_options(RpictOptions& options, const WarningSink& warn) {
-    int spacing = std::max(options.sample_spacing, 1);
-    if (spacing > widest_spacing) {
-        warn(formatted("pixel sampling reduced from %d to %d", spacing, widest_spacing));
-        spacing = widest_spacing;
+/// -r with the number of a picture in the sequence.
+std::optional<int> recovered_number(const RpictOptions& options) {
+    int number = 0;
+    if (!options.is_sequence() || !parse_int(options.recover, number)) return std::nullopt;
+    return number;
+}
+
+/// Combinations that cannot be.
+void check(const RpictOptions& options, const std::vector<std::string>& operands) {
+    if (operands.size() > 1)
+        throw Error("command line error at '" + operands.front() + "': one octree at a time");
+    if (options.is_sequence() && operands.empty())
+        throw Error("missing octree argument", "views are read from the standard input");
+    if (!options.render.persist_file.empty()) {
+        if (!options.recover.empty()) throw Error("persist option used with recover file");
+        if (!options.is_sequence()) throw Error("persist option only for sequences", "see -S");
     }
-    fit_resolution(view_aspect(options.view), options.pixel_aspect, options.width, options.height);
-    if (static_cast<double>(options.width) * options.height > most_pixels)
-        throw Error(formatted("a picture of %d x %d pixels is too large", options.width, options.height));
-    return {.width = options.width,
-            .height = options.height,
-            .pixel_jitter = options.pixel_jitter,
-            .sample_spacing = spacing,
-            .sample_contrast = options.sample_contrast,
-            .want_depth = !options.depth_output.empty()};
+    if (const auto number = recovered_number(options)) {
+        if (*number < options.first_number) throw Error("recover frame less than start frame");
+        if (options.output.empty()) throw Error("missing output file specification", "see -o");
+    }
+}
+
+void render_one(PictureSession& session, const RpictOptions& options, const Channels& channels,
+                const WarningSink& warn) {
+    RpictOptions named = options;
+    named.output = frame_name(options.output, 0);
+    named.depth_output = frame_name(options.depth_output, 0);
+    std::optional<Recovery> recovery;
+    if (!options.recover.empty())
+        recovery = find_unfinished(frame_name(options.recover, 0), named, channels, warn);
+    session.render(0, options.view, std::nullopt, std::move(recovery));
+}
+
+/// A picture for each view that comes in. One whose file is there already is another program's.
+void render_sequence(PictureSession& session, const RpictOptions& options, const Channels& channels,
+                     const WarningSink& warn) {
+    ViewSequence views(stdin, "standard input", options.view);
+    const bool numbered = has_frame_number(options.output);
+    int number = options.first_number;
+    const std::optional<int> recovered = recovered_number(options);
+    for (; recovered && number < *recovered; ++number)
+        if (!views.next()) throw Error("unexpected EOF on view input");
+    bool recovering = !options.recover.empty();
+    int pictures = 0;
+    for (; views.next(); ++number) {
+        RpictOptions named = options;
+        named.output = frame_name(options.output, number);
+        named.depth_output = frame_name(options.depth_output, number);
+        std::optional<FrameClaim> claim;
+        std::optional<Recovery> recovery;
+        if (recovering) {
+            recovery = find_unfinished(recovered ? named.output : options.recover, named, channels, warn);
+            recovering = false;
+        } else if (numbered) {
+            claim.emplace(named.output);
+            if (!claim->granted()) continue;
+        } else if (!options.output.empty() && pictures > 0) {
+            throw Error("a second picture would replace the first in \"" + options.output + "\"",
+                        "put %d into the name of -o for the number");
+        }
+        // RADIANCE's: the picture numbered 1 is sharp.
+        const bool has_motion = options.motion_blur > 0 && number > 1;
+        session.render(number, views.view(), has_motion ? std::optional(views.previous()) : std::nullopt,
+                       std::move(recovery));
+        if (claim) claim->keep();
+        ++pictures;
+    }
+    if (pictures == 0) warn("no output produced");
 }
 
 }  // namespace
@@ -43,8 +101,12 @@ int rpict(int argc, char** argv) {
     OptionTable table = rpict_option_table(options);
     const auto operands = table.parse(argc, argv);
     if (!operands) return 0;
-    if (operands->size() > 1)
-        throw Error("command line error at '" + operands->front() + "': one octree at a time");
+    std::optional<PersistentServer> server;
+    if (const std::string& file = options.render.persist_file; !file.empty()) {
+        server.emplace(file, table.program());
+        if (const std::optional<int> status = server->use()) return *status;
+    }
+    check(options, *operands);
     set_up_view(options.view);
     redirect_messages(options.render.error_file, table.command_line());
     const WarningSink warn = warning_sink(table.program(), options.render);
@@ -54,26 +116,19 @@ int rpict(int argc, char** argv) {
         writes_colors(options) && !text.empty())
         warn(text);
 
-    const LoadedScene loaded = load_scene(operands->empty() ? "" : operands->front(), options.render, warn);
+    const std::string octree = operands->empty() ? "" : operands->front();
+    const LoadedScene loaded = load_scene(octree, options.render, warn);
     for (const std::string& warning : loaded.scene->warnings()) warn(warning);
-    FrameOptions size = frame_options(options, warn);
-    const auto cache = open_irradiance_cache(loaded, options.render, table.program(),
-                                             operands->empty() ? "" : operands->front(), warn);
-    size.cache = cache.get();
-    const InterruptGuard guard;
-    Workers workers(options.threads);
-    Progress progress(table.program(), static_cast<std::uint64_t>(size.width) * size.height,
-                      options.report_seconds);
-    TracerFaults faults;
-    Frame frame =
-        render_frame(*loaded.scene, options.render.settings, options.view, size, workers, progress, faults);
-    progress.finish();
-    if (cache) cache->flush();
-    throw_if_interrupted();
-
-    write_frame(std::move(frame), *loaded.scene, options, header_lines(loaded.header, table.command_line()),
-                table.command_line());
-    faults.report(warn);
+    if (server) server->leave_behind(!options.render.error_file.empty());
+    const auto cache = open_irradiance_cache(loaded, options.render, table.program(), octree, warn);
+    const InterruptGuard guard(seconds_to_end);
+    const std::string command_line = table.command_line();
+    PictureSession session(loaded, options, cache.get(), table.program(), command_line, warn);
+    if (options.is_sequence())
+        render_sequence(session, options, channels, warn);
+    else
+        render_one(session, options, channels, warn);
+    session.report_faults();
     return 0;
 }
 

@@ -13,10 +13,8 @@ void add_pixel_rows(OptionTable& table, RpictOptions& options) {
     add_primaries_rows(table, options.color);
     table.real("-pa", &options.pixel_aspect, "pixel aspect ratio").at_least(0);
     table.real("-pj", &options.pixel_jitter, "pixel jitter");
-    add_zero_option(table, "-pm", "f", "-pm 0.000000", "pixel motion",
-                    "motion blur is not built yet, only 0 is taken");
-    add_zero_option(table, "-pd", "f", "-pd 0.000000", "pixel depth-of-field",
-                    "depth of field is not built yet, only 0 is taken");
+    table.real("-pm", &options.motion_blur, "pixel motion");
+    table.real("-pd", &options.lens_diameter, "pixel depth-of-field");
     table.integer("-ps", &options.sample_spacing, "pixel sample");
     table.real("-pt", &options.sample_contrast, "pixel threshold");
 }
@@ -33,11 +31,22 @@ void add_output_rows(OptionTable& table, RpictOptions& options) {
             "other "
             "formats are refused");
     table.text("-z", &options.depth_output, "file for the distances of the pixels, raw floats").named("file");
-    const std::string sequences = "rendering a sequence of views is not built yet";
-    const std::string recovery = "an unfinished picture is never kept, so none can be finished";
-    table.unsupported("-S", "i", sequences);
-    table.unsupported("-r", "s", recovery);
-    table.unsupported("-ro", "s", recovery);
+    table
+        .custom(
+            "-S", "i", [&options](const OptionValues& given) { options.first_number = given.integer(0); },
+            "a sequence: a picture for each view on the standard input, numbered from here; %d in the names "
+            "of -o and -z is the number")
+        .named("number");
+    table
+        .text("-r", &options.recover,
+              "finish the unfinished picture in this file, or with -S the one with this number")
+        .named("file|number");
+    table
+        .custom(
+            "-ro", "s",
+            [&options](const OptionValues& given) { options.recover = options.output = given.text(0); },
+            "the same as -r file -o file")
+        .named("file");
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ struct RpictOptions {
     int width = 512;                ///< -x: pixels at most; one of the two shrinks to fit the view
     int height = 512;               ///< -y
     double pixel_aspect = 1;        ///< -pa: height over width of a pixel, 0: whatever fits
+    double motion_blur = 0;         ///< -pm: share of the time between two pictures that the shutter is open
+    double lens_diameter = 0;       ///< -pd: aperture, scene units
     double pixel_jitter = 0.67;     ///< -pj: share of a pixel over which its sample is spread
     int sample_spacing = 4;         ///< -ps: pixels between samples where nothing changes
     double sample_contrast = 0.05;  ///< -pt: relative difference that asks for samples in between
@@ -23,6 +25,10 @@ struct RpictOptions {
     OutputColor color;              ///< -p, -co
     std::string output;             ///< -o: empty means the standard output
     std::string depth_output;       ///< -z
+    int first_number = 0;           ///< -S: of the first picture of a sequence; 0 or less: there is none
+    std::string recover;            ///< -r, -ro: an unfinished picture, or with -S its number
+
+    bool is_sequence() const { return first_number > 0; }
 };
 
 /// rpict's option table, in the order of RADIANCE's -defaults. `options` must outlive it.

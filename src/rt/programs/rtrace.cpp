@@ -2,10 +2,12 @@
 
 #include <bit>
 #include <cstdio>
+#include <optional>
 
 #include "common/error.h"
 #include "common/format.h"
 #include "rt/programs/ambient_setup.h"
+#include "rt/programs/persistent_server.h"
 #include "rt/programs/ray_session.h"
 #include "rt/programs/rtrace_options.h"
 
@@ -33,6 +35,11 @@ int rtrace(int argc, char** argv) {
     OptionTable table = rtrace_option_table(options);
     const auto operands = table.parse(argc, argv);
     if (!operands) return 0;
+    std::optional<PersistentServer> server;
+    if (const std::string& file = options.render.persist_file; !file.empty()) {
+        server.emplace(file, table.program());
+        if (const std::optional<int> status = server->use()) return *status;
+    }
     if (operands->empty()) throw Error("missing octree argument", "rays are read from the standard input");
     if (operands->size() > 1)
         throw Error("command line error at '" + operands->front() + "': one octree at a time");
@@ -45,7 +52,9 @@ int rtrace(int argc, char** argv) {
     const LoadedScene loaded = load_scene(operands->front(), options.render, warn);
     if (spec.needs_radiance())
         for (const std::string& warning : loaded.scene->warnings()) warn(warning);
-    const auto cache = open_irradiance_cache(loaded, options.render, table.program(), operands->front(), warn);
+    if (server) server->leave_behind(!options.render.error_file.empty());
+    const auto cache =
+        open_irradiance_cache(loaded, options.render, table.program(), operands->front(), warn);
     std::string opening;
     if (options.header)
         opening = header_text(header_lines(loaded.header, table.command_line()), options, spec,

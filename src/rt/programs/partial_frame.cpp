@@ -1,0 +1,246 @@
+#include "rt/programs/partial_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <type_traits>
+
+#include "common/atomic_file.h"
+#include "common/error.h"
+#include "common/format.h"
+
+namespace infra {
+namespace {
+
+constexpr const char* format_line = "FORMAT=rpict_partial";
+constexpr std::uint32_t magic = 0x50415254;  // other in the other byte order
+constexpr std::uint32_t version = 1;
+constexpr std::size_t longest_header = 1 << 22;  // bytes
+
+/// The numbers before the values.
+struct Preamble {
+    std::uint32_t magic = infra::magic;
+    std::uint32_t version = infra::version;
+    std::int32_t width = 0, height = 0;
+    std::int32_t channels = 0, space = 0, has_depth = 0;
+    std::int32_t finished_rows = 0, finished_channels = 0, finished_space = 0;
+};
+static_assert(std::is_trivially_copyable_v<Preamble>);
+
+constexpr std::size_t numbers_a_view = 25;
+
+/// Everything of a view that set_up_view leaves, so that its rays are the same to the last bit.
+std::array<double, numbers_a_view> numbers_of(const View& v) {
+    return {double(static_cast<char>(v.type)),
+            v.point.x,
+            v.point.y,
+            v.point.z,
+            v.direction.x,
+            v.direction.y,
+            v.direction.z,
+            v.up.x,
+            v.up.y,
+            v.up.z,
+            v.distance,
+            v.horizontal,
+            v.vertical,
+            v.shift,
+            v.lift,
+            v.fore,
+            v.aft,
+            v.image_x.x,
+            v.image_x.y,
+            v.image_x.z,
+            v.image_y.x,
+            v.image_y.y,
+            v.image_y.z,
+            v.image_width,
+            v.image_height};
+}
+
+View view_of(const std::array<double, numbers_a_view>& n) {
+    View v;
+    const auto type = view_type_of(static_cast<char>(n[0]));
+    if (!type || !std::ranges::all_of(n, [](double number) { return std::isfinite(number); }))
+        throw Error("no view in it");
+    v.type = *type;
+    v.point = {n[1], n[2], n[3]};
+    v.direction = {n[4], n[5], n[6]};
+    v.up = {n[7], n[8], n[9]};
+    v.distance = n[10], v.horizontal = n[11], v.vertical = n[12];
+    v.shift = n[13], v.lift = n[14], v.fore = n[15], v.aft = n[16];
+    v.image_x = {n[17], n[18], n[19]};
+    v.image_y = {n[20], n[21], n[22]};
+    v.image_width = n[23], v.image_height = n[24];
+    return v;
+}
+
+template <class Values>
+void put(std::FILE* file, const Values& values) {
+    std::fwrite(values.data(), sizeof values[0], values.size(), file);
+}
+
+class PartialReader {
+  public:
+    explicit PartialReader(const std::string& path)
+        : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
+        if (!file_)
+            throw Error("cannot read \"" + path + "\": " + std::strerror(errno), {}, Severity::system);
+    }
+
+    /// Passes over the header; whether it is one of ours.
+    bool read_header() {
+        bool ours = false;
+        std::size_t size = 0;
+        for (std::string line; read_line(line) && !line.empty() && size < longest_header;) {
+            if (size == 0 && !line.starts_with("#?")) return false;
+            size += line.size();
+            ours = ours || line == format_line;
+        }
+        std::string resolution;
+        return ours && read_line(resolution);
+    }
+
+    PartialFrame read() {
+        if (!read_header()) fail("it does not begin as one");
+        Preamble start;
+        get(&start, 1);
+        if (start.magic != magic || start.version != version)
+            fail("another version of rpict, or another kind of machine, has made it");
+        check(start);
+        PartialFrame partial;
+        std::array<double, numbers_a_view> view;
+        get(view.data(), view.size());
+        partial.view = view_of(view);
+        get(&partial.pixel_aspect, 1);
+        partial.width = start.width;
+        partial.height = start.height;
+        read_rows(start, partial.finished_rows);
+        read_frame(start, partial.frame);
+        if (std::fgetc(file_.get()) != EOF) fail("it goes on after its end");
+        return partial;
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& why) const {
+        throw Error(Location{path_}, "bad unfinished picture: " + why);
+    }
+
+    bool read_line(std::string& line) {
+        line.clear();
+        int c;
+        while ((c = std::fgetc(file_.get())) != EOF && c != '\n') {
+            line += static_cast<char>(c);
+            if (line.size() > longest_header) return false;
+        }
+        return c != EOF;
+    }
+
+    template <class T>
+    void get(T* values, std::size_t count) {
+        if (std::fread(values, sizeof(T), count, file_.get()) != count) fail("it is cut short");
+    }
+
+    void check(const Preamble& p) const {
+        constexpr std::int64_t most_pixels = 1'000'000'000;
+        constexpr int most_channels = 4096;
+        const auto in = [](int value, int least, int most) { return value >= least && value <= most; };
+        const int spaces = static_cast<int>(ColorSpace::spectrum);
+        if (p.width < 1 || p.height < 1 || std::int64_t(p.width) * p.height > most_pixels ||
+            !in(p.channels, 1, most_channels) || !in(p.finished_channels, 0, most_channels) ||
+            !in(p.finished_rows, 0, p.height) || !in(p.space, 0, spaces) || !in(p.finished_space, 0, spaces))
+            fail("its numbers make no sense");
+    }
+
+    /// Memory grows with what the file holds, whatever it says.
+    template <class T>
+    void read_values(std::vector<T>& values, std::size_t count) {
+        constexpr std::size_t portion = 1 << 22;
+        while (values.size() < count) {
+            const std::size_t old = values.size(), more = std::min(portion, count - old);
+            values.resize(old + more);
+            get(values.data() + old, more);
+        }
+    }
+
+    void read_rows(const Preamble& start, Picture& rows) {
+        rows.width = start.width;
+        rows.height = start.finished_rows;
+        rows.channels = start.finished_channels;
+        rows.space = static_cast<ColorSpace>(start.finished_space);
+        read_values(rows.pixels, std::size_t(rows.width) * rows.height * rows.channels);
+    }
+
+    void read_frame(const Preamble& start, Frame& frame) {
+        const std::size_t pixels = std::size_t(start.width) * start.height;
+        std::vector<std::uint8_t> traced;
+        read_values(traced, pixels);
+        frame.picture.width = start.width;
+        frame.picture.height = start.height;
+        frame.picture.channels = start.channels;
+        frame.picture.space = static_cast<ColorSpace>(start.space);
+        frame.picture.pixels.resize(pixels * start.channels);
+        if (start.has_depth) frame.depth.resize(pixels);
+        for (std::size_t i = 0; i < pixels; ++i) {
+            if (!traced[i]) continue;
+            get(&frame.picture.pixels[i * start.channels], start.channels);
+            if (start.has_depth) get(&frame.depth[i], 1);
+        }
+        frame.traced = std::move(traced);
+    }
+
+    const std::string& path_;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+};
+
+}  // namespace
+
+std::string partial_name(const std::string& output) { return output + ".partial"; }
+
+void write_partial(std::FILE* file, const PartialFrame& partial, const std::vector<std::string>& lines) {
+    std::fputs("#?RADIANCE\n", file);
+    for (const std::string& line : lines) std::fprintf(file, "%s\n", line.c_str());
+    std::fprintf(file, "VIEW=%s\n%s\n\n", format_view(partial.view).c_str(), format_line);
+    std::fprintf(file, "-Y %d +X %d\n", partial.height, partial.width);
+
+    const Frame& frame = partial.frame;
+    const Picture& rows = partial.finished_rows;
+    const Preamble start{.width = partial.width,
+                         .height = partial.height,
+                         .channels = frame.picture.channels,
+                         .space = static_cast<int>(frame.picture.space),
+                         .has_depth = frame.depth.empty() ? 0 : 1,
+                         .finished_rows = rows.height,
+                         .finished_channels = rows.channels,
+                         .finished_space = static_cast<int>(rows.space)};
+    std::fwrite(&start, sizeof start, 1, file);
+    put(file, numbers_of(partial.view));
+    std::fwrite(&partial.pixel_aspect, sizeof partial.pixel_aspect, 1, file);
+    put(file, rows.pixels);
+    put(file, frame.traced);
+    const std::size_t channels = frame.picture.channels;
+    for (std::size_t i = 0; i < frame.traced.size(); ++i) {
+        if (!frame.traced[i]) continue;
+        std::fwrite(&frame.picture.pixels[i * channels], sizeof(float), channels, file);
+        if (start.has_depth) std::fwrite(&frame.depth[i], sizeof(float), 1, file);
+    }
+    if (std::fflush(file) != 0 || std::ferror(file))
+        throw Error(std::string("cannot keep the unfinished picture: ") + std::strerror(errno), {},
+                    Severity::system);
+}
+
+void write_partial(const std::string& path, const PartialFrame& partial,
+                   const std::vector<std::string>& lines) {
+    AtomicFile file(path);
+    write_partial(file.stream(), partial, lines);
+    file.commit();
+}
+
+bool is_partial(const std::string& path) { return PartialReader(path).read_header(); }
+
+PartialFrame read_partial(const std::string& path) { return PartialReader(path).read(); }
+
+}  // namespace infra

@@ -1,0 +1,160 @@
+#include "rt/programs/picture_session.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "common/error.h"
+#include "common/format.h"
+#include "common/interrupt.h"
+#include "rt/programs/frame_name.h"
+#include "rt/programs/picture_output.h"
+
+namespace infra {
+namespace {
+
+constexpr int widest_spacing = 16;
+constexpr double most_pixels = 1e9;
+
+/// The options as this one picture has them: its view, its size, its files.
+RpictOptions options_of(const RpictOptions& all, int number, const View& view,
+                        const std::optional<Recovery>& recovery) {
+    RpictOptions options = all;
+    options.view = view;
+    options.output = frame_name(all.output, number);
+    options.depth_output = frame_name(all.depth_output, number);
+    if (recovery) {
+        options.width = recovery->partial.width;
+        options.height = recovery->partial.height;
+        options.pixel_aspect = recovery->partial.pixel_aspect;
+    }
+    // A size found in a file stays: it goes with the pixel aspect there, or with none.
+    if (!recovery || options.pixel_aspect == 0)
+        fit_resolution(view_aspect(view), options.pixel_aspect, options.width, options.height);
+    if (static_cast<double>(options.width) * options.height > most_pixels)
+        throw Error(formatted("a picture of %d x %d pixels is too large", options.width, options.height));
+    return options;
+}
+
+bool is_plain_file(int descriptor) {
+    struct stat status {};
+    return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+/// A device or pipe cannot be gone on with.
+bool can_be_resumed(const std::string& path) {
+    struct stat status {};
+    return stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
+}
+
+}  // namespace
+
+PictureSession::PictureSession(const LoadedScene& loaded, const RpictOptions& options, IrradianceCache* cache,
+                               const std::string& program, const std::string& command_line,
+                               const WarningSink& warn)
+    : loaded_(loaded),
+      options_(options),
+      cache_(cache),
+      program_(program),
+      command_line_(command_line),
+      warn_(warn),
+      workers_(options.threads) {
+    if (options.sample_spacing > widest_spacing)
+        warn(formatted("pixel sampling reduced from %d to %d", options.sample_spacing, widest_spacing));
+}
+
+int PictureSession::sample_spacing() const { return std::clamp(options_.sample_spacing, 1, widest_spacing); }
+
+/// None where the picture is blurred, or a medium lies before them all.
+std::vector<SmallSource> PictureSession::small_sources_in(const Camera& camera,
+                                                          const RpictOptions& options) const {
+    const bool blurred = camera.lens_diameter > 0 || (camera.previous && camera.motion_blur > 0);
+    if (blurred || !options.render.settings.sources_visible || loaded_.scene->medium()) return {};
+    return find_small_sources(*loaded_.scene, camera.view, options.width, options.height, sample_spacing());
+}
+
+void PictureSession::render(int number, const View& view, const std::optional<View>& previous,
+                            std::optional<Recovery> recovery) {
+    const CompiledScene& scene = *loaded_.scene;
+    Camera camera{.view = recovery && recovery->view_found ? recovery->partial.view : view,
+                  .previous = previous,
+                  .motion_blur = options_.motion_blur,
+                  .lens_diameter = options_.lens_diameter,
+                  .pixel_jitter = options_.pixel_jitter};
+    const RpictOptions options = options_of(options_, number, camera.view, recovery);
+    PartialFrame partial = recovery ? std::move(recovery->partial) : PartialFrame{};
+    partial.view = camera.view;
+    partial.width = options.width;
+    partial.height = options.height;
+    partial.pixel_aspect = options.pixel_aspect;
+    if (partial.frame.traced.empty()) {
+        std::vector<float> depths_found = std::move(partial.frame.depth);
+        partial.frame =
+            empty_frame(options.width, options.height, !options.depth_output.empty(), scene.channels());
+        if (!depths_found.empty()) partial.frame.depth = std::move(depths_found);
+    }
+    const std::vector<SmallSource> small_sources = small_sources_in(camera, options);
+    for (const SmallSource& small : small_sources) {
+        const auto surface = static_cast<std::size_t>(scene.source(small.source).surface);
+        if (camera.passed_sources.size() <= surface) camera.passed_sources.resize(surface + 1, -1);
+        camera.passed_sources[surface] = small.source;
+    }
+    const FrameOptions size{.width = options.width,
+                            .height = options.height,
+                            .first_row = partial.finished_rows.height,
+                            .sample_spacing = sample_spacing(),
+                            .sample_contrast = options.sample_contrast,
+                            .cache = cache_};
+    if (number > 0 && options.report_seconds > 0)
+        std::fprintf(stderr, "FRAME %d:%s\n", number, format_view(camera.view).c_str());
+    const int rows = size.height - size.first_row;
+    Progress progress(program_, static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(rows),
+                      options.report_seconds);
+    try {
+        render_frame(scene, options.render.settings, camera, size, workers_, progress, partial.frame,
+                     faults_);
+        throw_if_interrupted();
+    } catch (const Error&) {
+        if (!interrupted()) throw;
+        keep(options, std::move(partial), number);
+    }
+    progress.finish();
+    if (!small_sources.empty()) {
+        Tracer tracer(scene, options.render.settings);
+        tracer.use_irradiance_cache(cache_);
+        paint_small_sources(small_sources, camera.view, tracer, size.first_row, partial.frame);
+        faults_.add(tracer);
+    }
+    if (cache_) cache_->flush();
+
+    std::vector<std::string> lines = header_lines(loaded_.header, command_line_);
+    if (number > 0) lines.push_back(formatted("FRAME=%d", number));
+    write_frame(std::move(partial.frame), partial.finished_rows, scene, options, lines, command_line_);
+    // What an unfinished picture held is in the whole one.
+    if (recovery && recovery->path != options.output) std::remove(recovery->path.c_str());
+    if (!options.output.empty() && can_be_resumed(options.output))
+        std::remove(partial_name(options.output).c_str());
+}
+
+void PictureSession::keep(const RpictOptions& options, PartialFrame partial, int number) const {
+    ending_in_order();
+    if (cache_) cache_->flush();
+    const std::vector<std::string> lines = header_lines(loaded_.header, command_line_);
+    std::string hint;
+    if (!options.output.empty() && can_be_resumed(options.output)) {
+        const std::string path = partial_name(options.output);
+        write_partial(path, partial, lines);
+        const std::string which = number > 0 ? formatted("-r %d", number) : "-ro \"" + options.output + "\"";
+        hint = "the same command with " + which + " goes on from \"" + path + "\"";
+    } else if (options.output.empty() && number == 0 && is_plain_file(fileno(stdout))) {
+        // Among other pictures of a sequence it could not be found again.
+        write_partial(stdout, partial, lines);
+        hint = "the same command with -ro FILE finishes the file that its output went to";
+    }
+    throw Error("interrupted", hint, Severity::internal);
+}
+
+}  // namespace infra

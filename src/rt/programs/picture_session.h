@@ -1,0 +1,52 @@
+// Pictures of one scene, one after another: each is fitted to its view, rendered, written, and kept for later
+// if a signal ends the program.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "rt/ambient/irradiance_cache.h"
+#include "rt/programs/frame_recovery.h"
+#include "rt/programs/program_setup.h"
+#include "rt/programs/render_frame.h"
+#include "rt/programs/rpict_options.h"
+#include "rt/programs/small_sources.h"
+
+namespace infra {
+
+class PictureSession {
+  public:
+    /// Everything outlives this.
+    ///   cache         of diffuse interreflection, for all pictures; nullptr: none
+    ///   command_line  of the program, for headers
+    PictureSession(const LoadedScene& loaded, const RpictOptions& options, IrradianceCache* cache,
+                   const std::string& program, const std::string& command_line, const WarningSink& warn);
+
+    /// Renders one picture and writes it to the file that the options name, or to the standard output.
+    ///   number    of the picture in a sequence, 0: there is none
+    ///   view      set up; previous: of the picture before, if motion is to be blurred
+    ///   recovery  what is known of it already; its view, if it has one, comes first
+    ///   throws    Error for whatever prevents it; after a signal, Error "interrupted" that says where the
+    ///             work is kept, if the picture has a file that can be named or the standard output is one
+    void render(int number, const View& view, const std::optional<View>& previous,
+                std::optional<Recovery> recovery);
+
+    /// Warns of what went wrong while rays were traced.
+    void report_faults() const { faults_.report(warn_); }
+
+  private:
+    int sample_spacing() const;
+    std::vector<SmallSource> small_sources_in(const Camera& camera, const RpictOptions& options) const;
+    [[noreturn]] void keep(const RpictOptions& options, PartialFrame partial, int number) const;
+
+    const LoadedScene& loaded_;
+    const RpictOptions& options_;
+    IrradianceCache* cache_;
+    const std::string& program_;
+    const std::string& command_line_;
+    const WarningSink& warn_;
+    Workers workers_;
+    TracerFaults faults_;
+};
+
+}  // namespace infra

@@ -1,0 +1,89 @@
+#include "rt/programs/partial_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "command.h"
+
+namespace infra {
+namespace {
+
+using test::error_of;
+
+/// Every third pixel of 5 x 4 is known, in 4 channels and depth, below one row of colors.
+PartialFrame example() {
+    PartialFrame partial;
+    partial.view.direction = {1.0 / 3, 2, 0.1};
+    set_up_view(partial.view);
+    partial.width = 5;
+    partial.height = 4;
+    partial.pixel_aspect = 1.25;
+    partial.finished_rows = {.width = 5, .height = 1, .channels = 3};
+    partial.finished_rows.pixels.assign(15, 0.75f);
+    Frame& frame = partial.frame;
+    frame.picture = {.width = 5, .height = 4, .channels = 4, .space = ColorSpace::spectrum};
+    frame.picture.pixels.resize(20 * 4);
+    frame.depth.resize(20);
+    frame.traced.resize(20);
+    for (std::size_t i = 5; i < 20; i += 3) {
+        frame.traced[i] = 1;
+        frame.depth[i] = float(i) / 3;
+        for (std::size_t c = 0; c < 4; ++c) frame.picture.pixels[4 * i + c] = 1 / float(i + c);
+    }
+    return partial;
+}
+
+TEST(PartialFrame, comes_back_to_the_last_bit) {
+    const test::Folder folder;
+    const PartialFrame written = example();
+    write_partial(folder.path("p"), written, {"rpict -x 5", "SOFTWARE= x"});
+    EXPECT_TRUE(is_partial(folder.path("p")));
+    const PartialFrame read = read_partial(folder.path("p"));
+    EXPECT_EQ(read.width, 5);
+    EXPECT_EQ(read.height, 4);
+    EXPECT_EQ(read.pixel_aspect, 1.25);
+    EXPECT_EQ(read.view.direction.x, written.view.direction.x);
+    EXPECT_EQ(read.view.distance, written.view.distance);
+    EXPECT_EQ(read.view.image_y.z, written.view.image_y.z);
+    EXPECT_EQ(read.view.image_height, written.view.image_height);
+    EXPECT_EQ(read.finished_rows.pixels, written.finished_rows.pixels);
+    EXPECT_EQ(read.frame.picture.pixels, written.frame.picture.pixels);
+    EXPECT_EQ(read.frame.depth, written.frame.depth);
+    EXPECT_EQ(read.frame.traced, written.frame.traced);
+    EXPECT_EQ(read.frame.picture.space, ColorSpace::spectrum);
+}
+
+TEST(PartialFrame, is_no_picture_for_others) {
+    const test::Folder folder;
+    write_partial(folder.path("p.hdr"), example(), {});
+    EXPECT_NE(error_of([&] { read_picture(folder.path("p.hdr")); }).find("unknown picture format"),
+              std::string::npos);
+    folder.write("q", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n");
+    EXPECT_FALSE(is_partial(folder.path("q")));
+    EXPECT_NE(error_of([&] { read_partial(folder.path("q")); }), "no error");
+    EXPECT_NE(error_of([&] { read_partial(folder.path("none")); }), "no error");
+}
+
+TEST(PartialFrame, is_refused_when_damaged) {
+    const test::Folder folder;
+    const std::string path = folder.path("p");
+    write_partial(path, example(), {});
+    const std::string whole = folder.read("p");
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        folder.write("p", whole.substr(0, size));
+        EXPECT_NE(error_of([&] { read_partial(path); }), "no error") << size;
+    }
+    folder.write("p", whole + "x");
+    EXPECT_NE(error_of([&] { read_partial(path); }), "no error");
+    std::mt19937 random(1);
+    for (int i = 0; i < 300; ++i) {  // no crash, whatever comes of it
+        std::string bytes = whole;
+        bytes[random() % bytes.size()] = char(random());
+        folder.write("p", bytes);
+        error_of([&] { read_partial(path); });
+    }
+}
+
+}  // namespace
+}  // namespace infra
