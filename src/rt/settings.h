@@ -16,6 +16,12 @@ struct NameFilter {
 /// More rays than anyone asks for at one hit: keeps products of counts within an int.
 inline constexpr int most_samples = 1 << 24;
 
+/// -ap: a photon map to use.
+struct PhotonMapRequest {
+    std::string file;
+    int fewest = 0, most = 0;  ///< photons that an estimate takes: more than one number to compensate bias; 0: usual
+};
+
 struct RenderSettings {
     // Direct light
     double source_jitter = 0.0;       ///< -dj: share of a source's area over which samples are spread, 0..1
@@ -40,6 +46,10 @@ struct RenderSettings {
     int ambient_divisions = 512;         ///< -ad: rays of a hemisphere
     int ambient_super_samples = 128;     ///< -as: extra rays where neighbours differ
     NameFilter ambient_filter;           ///< -ai -ae
+
+    // Photon maps
+    std::vector<PhotonMapRequest> photon_maps;  ///< -ap
+    double photon_radius = 0;  ///< -am: distance within which photons are looked for; 0: by their density
 
     // Participating medium everywhere but where a mist says otherwise
     float extinction[3] = {0, 0, 0};         ///< -me: per scene unit
