@@ -26,7 +26,7 @@ bool Tracer::is_in_photon_map(const Ray& ray) const {
 bool Tracer::continuation_is_in_photon_map(const Ray& ray, bool straight_on) const {
     const PhotonMaps* const maps = scene_.photons();
     if (!maps || !ray.is(ambient_rays) || !maps->cover_surfaces()) return false;
-    return maps->caustic() || !straight_on;
+    return maps->cover_transmission() || !straight_on;
 }
 
 // Adds what maps say of indirect light. True if that is all of it.
@@ -40,8 +40,9 @@ bool Tracer::add_photons(const Spectrum& coefficient, bool other_side, Interacti
     if (at.surface >= 0 && scene_.finish(at.surface).is_light()) return complete;
     const Vec3 normal = other_side ? -at.normal : at.normal;
     Spectrum radiance(at.channels());
-    set(radiance, scratch_->photons.surface(complete ? *indirect : *maps.caustic(), at.point, normal, focused,
-                                            random_));
+    const PhotonSource& source = complete ? *indirect : *maps.caustic();
+    const bool only_caustic = focused && source.photons.kind() == PhotonKind::contribution;
+    set(radiance, scratch_->photons.surface(source, at.point, normal, only_caustic, random_));
     at.radiance.add_product(radiance, coefficient);
     return complete;
 }

@@ -35,7 +35,9 @@ class PhotonMaps {
     /// Whether paths that end on surfaces are in a map: those with a specular part are then not followed from
     /// diffuse surfaces on, and mirrors make no virtual sources.
     bool cover_surfaces() const { return indirect() || caustic(); }
-    /// Whether light that passes through something before it arrives is in a map.
+    /// Whether diffuse bounces then end even at panes: with a map of caustics alone.
+    bool cover_transmission() const { return of(PhotonKind::caustic) != nullptr; }
+    /// Whether light of sources that passes through something before it arrives is in a map.
     bool cover_transmitted_light() const { return covers_transmitted_light_; }
 
   private:
