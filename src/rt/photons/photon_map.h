@@ -58,7 +58,7 @@ class PhotonMap {
     // For searches
     // -------------------------------------------------------------------------------------------------
 
-    static constexpr std::size_t leaf_levels = 4;
+    static constexpr std::size_t leaf_levels = 5;
     static constexpr std::size_t largest_leaf = (std::size_t{1} << leaf_levels) - 1;
 
     /// Nodes of the heap are numbered from 1; those above this are leaves.

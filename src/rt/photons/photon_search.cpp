@@ -13,6 +13,12 @@ constexpr float least_facing = 0.01f * 127;
 
 constexpr std::size_t deepest = 32;
 
+/// Asks for the coordinates of a leaf's photons ahead of their use.
+void fetch(const PhotonMap::Leaf& leaf) {
+    constexpr std::uint32_t floats_of_line = 16;
+    for (std::uint32_t i = 0; i < 3 * leaf.count; i += floats_of_line) __builtin_prefetch(leaf.x + i);
+}
+
 }  // namespace
 
 /// A part of the tree that is left for later.
@@ -53,6 +59,12 @@ void PhotonSearch::find(const PhotonMap& map, const PhotonQuery& query, std::siz
             far.axis2[axis] = offset * offset;
             far.distance2 = far.axis2[0] + far.axis2[1] + far.axis2[2];
             if (far.distance2 < radius2_) ++depth;
+            if (near > inner_count) {  // both are leaves: their photons come while others are looked at
+                fetch(map.leaf(near));
+                if (far.distance2 < radius2_) fetch(map.leaf(far.node));
+            } else if (2 * near <= inner_count) {
+                __builtin_prefetch(map.inner(2 * near));
+            }
             float distance2 = 0;
             for (std::size_t i = 0; i < 3; ++i) {
                 const float d = query.position[i] - photon[i];
@@ -104,7 +116,8 @@ void PhotonSearch::offer(const PhotonMap& map, const PhotonQuery& query, float d
 void PhotonSearch::sift_down(FoundPhoton photon) {
     std::size_t i = 0;
     for (std::size_t child = 1; child < count_; child = 2 * i + 1) {
-        if (child + 1 < count_ && found_[child].distance2 < found_[child + 1].distance2) ++child;
+        const std::size_t sibling = child + 1 < count_ ? child + 1 : child;
+        child += found_[child].distance2 < found_[sibling].distance2 ? 1 : 0;  // without a jump
         if (photon.distance2 >= found_[child].distance2) break;
         found_[i] = found_[child];
         i = child;
