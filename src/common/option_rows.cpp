@@ -72,6 +72,11 @@ OptionRow& OptionRow::named(std::string names) {
     return *this;
 }
 
+OptionRow& OptionRow::optional_after(std::size_t count) {
+    required = count;
+    return *this;
+}
+
 OptionRow& OptionRow::at_least(double least) {
     minimum = least;
     return *this;

@@ -56,11 +56,18 @@ bool is_toggle_suffix(std::string_view suffix) {
 
 /// Fewer arguments than the option takes before the next option or the end.
 [[noreturn]] void missing_arguments(const OptionRow& row, std::string_view option) {
-    const std::size_t count = row.pattern.size();
+    const std::size_t count = std::min(row.pattern.size(), row.required);
     const bool numbers = row.pattern.find('s') == std::string::npos;
     const std::string what = count == 1 ? (numbers ? "needs a number" : "needs an argument")
                                         : formatted("needs %zu %s", count, numbers ? "numbers" : "arguments");
     command_line_error(option, what, "usage: " + row.spelling + " " + row.arguments);
+}
+
+/// Whether a word can be an optional argument of this kind: a number.
+bool fits(char kind, const std::string& word) {
+    double real = 0;
+    int integer = 0;
+    return kind == 'i' ? parse_int(word, integer) : kind == 'f' && parse_real(word, real);
 }
 
 void check_value(const OptionRow& row, char kind, std::string_view option, const std::string& value) {
@@ -133,16 +140,21 @@ std::size_t OptionTable::apply(const OptionRow& row, std::string_view attached,
     const std::string& word = words[i];
     if (!row.unsupported.empty()) command_line_error(word, "option is not supported", row.unsupported);
     const std::size_t left = words.size() - i - 1;
-    if (left < row.pattern.size()) missing_arguments(row, word);
+    std::size_t count = std::min(row.pattern.size(), row.required);
+    if (left < count) missing_arguments(row, word);
     if (row.form == OptionRow::Form::rest) {
         row.apply({word, attached, std::span(words).subspan(i + 1)});
         return left;
     }
-    const std::size_t count = row.pattern.size();
     for (std::size_t k = 0; k < count; ++k) {
         const std::string& value = words[i + 1 + k];
         if (row.pattern[k] != 's' && is_option(value)) missing_arguments(row, word);
         check_value(row, row.pattern[k], word, value);
+    }
+    while (count < row.pattern.size() && i + 1 + count < words.size() &&
+           fits(row.pattern[count], words[i + 1 + count])) {
+        check_value(row, row.pattern[count], word, words[i + 1 + count]);
+        ++count;
     }
     row.apply({word, attached, std::span(words).subspan(i + 1, count)});
     return count;

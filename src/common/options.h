@@ -26,7 +26,7 @@ namespace infra {
 struct OptionValues {
     std::string_view option;              ///< as typed, "-ovn"
     std::string_view attached;            ///< the letters after the row's spelling, "vn"
-    std::span<const std::string> values;  ///< one per pattern letter
+    std::span<const std::string> values;  ///< one per pattern letter, fewer where some are optional
 
     double real(std::size_t i) const;
     int integer(std::size_t i) const;
@@ -49,6 +49,7 @@ class OptionRow {
     std::string spelling;                            ///< with its dash, "-ab"
     Form form = Form::exact;                         ///< how it is written
     std::string pattern;                             ///< a letter an argument: f real, i integer, s text
+    std::size_t required = std::string::npos;        ///< how many of these have to be there
     std::string arguments;                           ///< names of the arguments for people, "x y z"
     std::string help;                                ///< what it sets, "ambient bounces"
     std::string unsupported;                         ///< why RADIANCE's option is refused; empty: it works
@@ -67,6 +68,8 @@ class OptionRow {
     OptionRow& unlisted();
     /// Names the arguments for -help, "width height".
     OptionRow& named(std::string names);
+    /// Makes the arguments after the first `count` optional: each is taken while it is a number of its kind.
+    OptionRow& optional_after(std::size_t count);
     /// Refuses numbers below `least`.
     OptionRow& at_least(double least);
     /// Says in the reference how the option differs from RADIANCE's, and why.

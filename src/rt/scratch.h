@@ -5,6 +5,7 @@
 
 #include "rt/ambient/hemisphere_cells.h"
 #include "rt/ambient/hemisphere_mesh.h"
+#include "rt/photons/photon_density.h"
 #include "rt/tracer.h"
 
 namespace infra {
@@ -31,6 +32,7 @@ struct Tracer::Scratch {
     std::vector<float> tail;
     std::vector<std::vector<HemisphereCell>> hemispheres;  ///< by ambient level
     std::vector<HemisphereView> views;                     ///< the same
+    PhotonDensity photons;
 };
 
 }  // namespace infra

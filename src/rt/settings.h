@@ -16,6 +16,12 @@ struct NameFilter {
 /// More rays than anyone asks for at one hit: keeps products of counts within an int.
 inline constexpr int most_samples = 1 << 24;
 
+/// -ap: a photon map to use.
+struct PhotonMapRequest {
+    std::string file;
+    int fewest = 0, most = 0;  ///< photons that an estimate takes: more than one number to compensate bias; 0: usual
+};
+
 struct RenderSettings {
     // Direct light
     double source_jitter = 0.0;       ///< -dj: share of a source's area over which samples are spread, 0..1
@@ -42,6 +48,9 @@ struct RenderSettings {
     NameFilter ambient_filter;           ///< -ai -ae
 
     double guided_samples = 0;  ///< -gs: rays of a hemisphere or lobe sent to what is bright (guiding/guide.h)
+    // Photon maps
+    std::vector<PhotonMapRequest> photon_maps;  ///< -ap
+    double photon_radius = 0;  ///< -am: distance within which photons are looked for; 0: by their density
 
     // Participating medium everywhere but where a mist says otherwise
     float extinction[3] = {0, 0, 0};         ///< -me: per scene unit

@@ -281,6 +281,9 @@ void Tracer::add_thermal_emission(const Scattering& scattering, Interaction& at)
 
 void Tracer::trace_through(const Scattering& scattering, Interaction& at) {
     Ray child(at.channels());
+    if (scattering.is_refracted() && !at.ray->is(shadow_rays) &&
+        continuation_is_in_photon_map(*at.ray, false))
+        return;
     if (!spawn(child, through_ray, at, &scattering.through_coefficient)) return;
     if (scattering.relayed_source >= 0) child.aimed_source = scattering.relayed_source;
     child.direction = scattering.through_direction;
@@ -410,6 +413,7 @@ bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, cons
     child.weight = from.weight * share;
     if (child.weight <= 0 || stack_is_used_up()) return false;
     if (child.lineage & shadow_rays) return true;
+    if (continuation_is_in_photon_map(parent, kind == through_ray)) return false;
 
     if (settings_.max_reflections <= 0 && coefficient) {  // Russian roulette
         if (settings_.max_reflections < 0 && child.level > -settings_.max_reflections) return false;

@@ -21,6 +21,7 @@ namespace infra {
 
 class Guide;
 class IrradianceCache;
+class PhotonMaps;
 class Scattering;
 struct SourceAim;
 
@@ -91,6 +92,9 @@ class Tracer {
     /// Value of a function expression for this hit; see rt/functions/functions.h.
     cal::Evaluator& evaluator() { return evaluator_; }
     bool is_flat(const Interaction& at) const;
+    /// Whether a photon map has what specular materials do with light on its way to the diffuse surface that a
+    /// ray has come from.
+    bool is_in_photon_map(const Ray& ray) const;
 
   private:
     struct Contribution;
@@ -127,9 +131,15 @@ class Tracer {
     bool add_cached_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side,
                             Interaction& at);
 
+    // photons/photon_light.cpp
+    bool continuation_is_in_photon_map(const Ray& ray, bool straight_on) const;
+    bool add_photons(const Spectrum& coefficient, bool other_side, Interaction& at);
+    void add_direct_photons(const Scattering& scattering, Interaction& at);
+
     // volume/participation.cpp
     void participate(Interaction& at);
     void add_scattered(int source, Interaction& at);
+    void add_scattered_photons(const PhotonMaps& maps, Interaction& at);
     bool light_at_place(int source, double distance, const Interaction& at, Spectrum& result);
 
     // ambient/hemisphere.cpp

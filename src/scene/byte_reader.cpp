@@ -1,5 +1,6 @@
 #include "scene/byte_reader.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -23,6 +24,17 @@ void ByteReader::fail_damaged(const std::string& what) const { fail("damaged " +
 int ByteReader::fail_truncated() const {
     if (std::ferror(file_)) fail(std::string("cannot be read: ") + std::strerror(errno));
     fail("truncated " + kind_);
+}
+
+void ByteReader::bytes(void* to, std::size_t count) {
+    for (auto* next = static_cast<char*>(to); count > 0;) {
+        if (next_ == end_ && !refill()) fail_truncated();
+        const std::size_t part = std::min(count, static_cast<std::size_t>(end_ - next_));
+        std::memcpy(next, next_, part);
+        next_ += part;
+        next += part;
+        count -= part;
+    }
 }
 
 std::int64_t ByteReader::integer(int size) {

@@ -16,6 +16,8 @@ class ByteReader {
 
     /// Next byte, 0..255. throws Error "truncated octree" at the end, as all below.
     int byte() { return next_ < end_ || refill() ? static_cast<unsigned char>(*next_++) : fail_truncated(); }
+    /// The next `count` bytes.
+    void bytes(void* to, std::size_t count);
     /// Signed integer of `size` bytes, 1 to 8.
     std::int64_t integer(int size);
     /// 4 bytes of mantissa and 1 of exponent: 31 bits of precision.

@@ -225,7 +225,7 @@ TEST(EveryMaterial, EvaluatesToFiniteValuesAndOpaqueOnesToNoneBelow) {
                 test::direction(std::acos(1 - 2 * random.uniform()), 2 * std::numbers::pi * random.uniform());
             Spectrum f(3);
             for (const double omega : {0.0, 1e-4, 0.1}) {
-                scattering.eval(wi, omega, f);
+                scattering.eval(wi, omega, true, f);
                 for (int c = 0; c < 3; ++c) {
                     EXPECT_TRUE(std::isfinite(f[c])) << example.text;
                     EXPECT_GE(f[c], 0.0f) << example.text;

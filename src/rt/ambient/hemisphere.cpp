@@ -53,6 +53,7 @@ struct Tracer::Hemisphere {
 
 void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at) {
     if (coefficient.maximum() <= 0) return;
+    if (scene_.photons() && add_photons(coefficient, other_side, at)) return;
     const bool computed = settings_.ambient_divisions > 0 &&
                           at.ray->ambient_level < settings_.ambient_bounces &&
                           (at.surface < 0 || scene_.finish(at.surface).in_ambient);

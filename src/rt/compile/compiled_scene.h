@@ -30,6 +30,8 @@ struct FunctionDefinition {
     bool is_file = false;
 };
 
+class PhotonMaps;
+
 class CompiledScene {
   public:
     /// Compiles what the surfaces of `scene` use; the scene is kept for names and error places.
@@ -86,6 +88,9 @@ class CompiledScene {
     /// The air along camera rays, nullptr for none.
     const AirPath* air() const { return air_ ? &*air_ : nullptr; }
 
+    /// What -ap has read, nullptr for none.
+    const PhotonMaps* photons() const { return photons_.get(); }
+
     /// Band in um that all thermal surfaces state; nothing if there are none or they differ.
     const std::optional<std::pair<double, double>>& band() const { return band_; }
 
@@ -108,6 +113,7 @@ class CompiledScene {
     std::vector<std::unique_ptr<Geometry>> contents_;  ///< of instances and meshes
     Geometry geometry_{surfaces_};
     std::optional<AirPath> air_;
+    std::shared_ptr<const PhotonMaps> photons_;
     Medium surroundings_{3};
     std::optional<std::pair<double, double>> band_;
     std::vector<LightSource> sources_;

@@ -7,6 +7,7 @@
 #include "rt/compile/compiled_scene.h"
 #include "rt/compile/content_loader.h"
 #include "rt/materials/ward_material.h"
+#include "rt/photons/photon_maps.h"
 #include "rt/sources/source_setup.h"
 #include "rt/sources/virtual_sources.h"
 #include "rt/volume/antimatter.h"
@@ -61,7 +62,8 @@ class SceneCompiler {
         out_.ambient_value_ = out_.channels_.from_rgb(ambient[0], ambient[1], ambient[2]);
         out_.irradiance_material_ = std::make_unique<WardMaterial>("Lambertian", nullptr, white, false);
         out_.surroundings_ = global_medium(settings_, out_.channels_);
-        add_images(relays);
+        read_photons();
+        if (!out_.photons_ || !out_.photons_->cover_surfaces()) add_images(relays);
         for (const auto& modifier : out_.modifiers_)
             if (auto* mist = dynamic_cast<Mist*>(modifier.get())) mist->find_sources(out_, out_.warnings_);
         if (settings_.guided_samples > 0) out_.guide_ = Guide::build(out_, settings_);
@@ -76,6 +78,13 @@ class SceneCompiler {
                 for (Finish& finish : out_.surfaces_.finishes)
                     if (finish.primitive == cut) finish.may_be_cut = true;
         }
+    }
+
+    void read_photons() {
+        if (settings_.photon_maps.empty()) return;
+        if (out_.channel_count() != 3 || !out_.channels_.shows_colors())
+            throw Error("photon maps hold red, green and blue, not spectra", "leave -cs and -cw out");
+        out_.photons_ = std::make_shared<const PhotonMaps>(settings_, out_.warnings_);
     }
 
     void make_sources() {

@@ -17,6 +17,7 @@ struct Finish {
     bool in_ambient = true;                    ///< takes part in the diffuse indirect calculation (-ai, -ae)
     bool may_be_cut = false;                   ///< antimatter makes its surfaces vanish for some rays
 
+    bool is_light() const { return material && material->is_light; }
     bool transparent() const { return material && material->transparent; }
     bool blocks_light() const { return material && material->blocks_light && !may_be_cut; }
 };

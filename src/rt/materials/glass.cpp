@@ -38,6 +38,8 @@ class Glass final : public SurfaceMaterial {
         : SurfaceMaterial(name, next, true), color_(color), index_(index) {}
 
     void scatter(Tracer& tracer, const Interaction& at, bool shadow, Scattering& out) const override {
+        out.pure_specular = true;
+        if (tracer.is_in_photon_map(*at.ray)) return;
         const double cosine = std::max(-dot(out.normal, at.ray->direction), 1e-6);
         const bool textured = at.textured();
         const double inner = std::sqrt(1.0 - (1.0 - cosine * cosine) / (index_ * index_));
@@ -69,7 +71,6 @@ class Glass final : public SurfaceMaterial {
         out.mirror_coefficient = reflected;
         out.mirror_direction = at.ray->direction + out.normal * (2.0 * cosine);
         out.image_behind = tracer.is_flat(at) && (!textured || at.ray->is(ambient_rays));
-        out.pure_specular = true;
     }
 
   private:

@@ -14,6 +14,7 @@
 
 #include "rt/compile/modifier_table.h"
 #include "rt/materials/light_material.h"
+#include "rt/photons/photon_maps.h"
 #include "rt/tracer.h"
 
 namespace infra {
@@ -26,6 +27,11 @@ bool LightMaterial::counts(const Tracer& tracer, const Interaction& at) const {
     const Ray& ray = *at.ray;
     // A source that is sampled directly must not be counted again by indirect rays that run into its front.
     if (ray.is(ambient_rays | lobe_rays) && !ray.is(shadow_rays) && at.cosine >= 0 && reaches(at.distance))
+        return false;
+    // Nor what has come through something, where photons stand for that.
+    const PhotonMaps* const photons = tracer.scene().photons();
+    if (photons && photons->cover_transmitted_light() && ray.kind == through_ray &&
+        ray.is(ambient_rays | shadow_rays))
         return false;
     if (ray.aimed_source < 0) return true;
     const LightSource& aimed = tracer.scene().source(ray.aimed_source);

@@ -83,6 +83,7 @@ RefractingSurface::RefractingSurface(ModifierContext& context, ClearBody inside,
       outside_(std::move(outside)) {}
 
 bool RefractingSurface::shade(Tracer& tracer, Interaction& at) const {
+    if (tracer.is_in_photon_map(*at.ray)) return true;
     tracer.apply_patterns(next(), at);
     const bool from_inside = at.cosine < 0;
     if (from_inside) at.flip();

@@ -21,7 +21,7 @@ void Scattering::smooth_albedo(Spectrum& result) const {
     result += ambient_through;
 }
 
-void Scattering::eval(const Vec3& wi, double omega, Spectrum& result) const {
+void Scattering::eval(const Vec3& wi, double omega, bool with_lobes, Spectrum& result) const {
     result.clear();
     const double cosine = dot(normal, wi), cosine_through = dot(through_normal, wi);
     double coat = 1;
@@ -30,6 +30,7 @@ void Scattering::eval(const Vec3& wi, double omega, Spectrum& result) const {
     if (cosine >= 0) result.add_scaled(diffuse, static_cast<float>(cosine * std::numbers::inv_pi * coat));
     if (cosine_through < 0)
         result.add_scaled(diffuse_through, static_cast<float>(-cosine_through * std::numbers::inv_pi * coat));
+    if (!with_lobes) return;
     if (response) response->add(wi, omega, result);
     for (int i = 0; i < lobe_count; ++i) {
         const Lobe& lobe = *lobes[i];

@@ -99,12 +99,15 @@ class Scattering {
         response = new (slots_[0]) R(std::forward<Args>(args)...);
     }
 
+    /// Whether the through ray passes the surface of a body, not a thin pane.
+    bool is_refracted() const { return changes_medium && !as_clear_as_air; }
+
     /// Reflectance plus transmittance towards the viewer of all but the lobes that rays sample.
     void smooth_albedo(Spectrum& result) const;
 
     /// Reflected radiance per incident radiance and solid angle, f |cos| [1/sr], for a source of size omega
-    /// [sr] around wi: Lambertian parts and lobes, not the mirror.
-    void eval(const Vec3& wi, double omega, Spectrum& result) const;
+    /// [sr] around wi: Lambertian parts and, where they are wanted, lobes; not the mirror.
+    void eval(const Vec3& wi, double omega, bool with_lobes, Spectrum& result) const;
 
   private:
     static constexpr std::size_t slot_size = 384;

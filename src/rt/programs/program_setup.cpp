@@ -1,5 +1,7 @@
 #include "rt/programs/program_setup.h"
 
+#include <sys/stat.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -10,7 +12,22 @@
 #include "scene/octree_file.h"
 
 namespace infra {
+namespace {
+
+/// Photons of another scene than this would be wrong without a sign of it.
+void check_photons_are_newer(const std::string& octree, const RenderSettings& settings) {
+    struct stat scene = {}, map = {};
+    if (octree.empty() || stat(octree.c_str(), &scene) != 0) return;
+    for (const PhotonMapRequest& request : settings.photon_maps)
+        if (stat(request.file.c_str(), &map) == 0 && scene.st_mtime > map.st_mtime)
+            throw Error(Location{request.file}, "this photon map is older than the octree",
+                        "make it again, or touch it if the scene has not changed");
+}
+
+}  // namespace
+
 LoadedScene load_scene(const std::string& octree, const RenderOptions& options, const WarningSink& warn) {
+    check_photons_are_newer(octree, options.settings);
     OctreeFile file = load_octree(octree, warn);
     LoadedScene loaded;
     loaded.header = std::move(file.header);

@@ -162,12 +162,54 @@ void add_persistence_rows(OptionTable& table, RenderOptions& options) {
     table.custom("-PP", "s", set_file, "the same as -P").named("file");
 }
 
+void take_photon_map(RenderSettings& settings, const OptionValues& given) {
+    constexpr std::size_t most_maps = 6;  // as many as there are kinds
+    if (settings.photon_maps.size() == most_maps) given.reject("too many photon maps");
+    PhotonMapRequest request{given.text(0)};
+    if (given.values.size() > 1) {
+        request.fewest = request.most = given.integer(1);
+        if (request.fewest < 1) given.reject("the bandwidth, a number of photons, must be at least 1");
+    }
+    if (given.values.size() > 2) {
+        request.most = given.integer(2);
+        if (request.most <= request.fewest) given.reject("the second bandwidth must be above the first");
+    }
+    if (request.most > most_samples) given.reject("too many photons for one estimate");
+    if (settings.ambient_bounces == 0) settings.ambient_bounces = 1;  // whoever gives a map wants its light
+    settings.photon_maps.push_back(std::move(request));
+}
+
+void add_photon_rows(OptionTable& table, RenderSettings& settings) {
+    table
+        .custom(
+            "-ap", "sii", [&settings](const OptionValues& given) { take_photon_map(settings, given); },
+            "photon map of mkpmap, and photons an estimate takes; from one number to another to compensate bias")
+        .optional_after(1)
+        .named("file [bandwidth [largest]]");
+    table
+        .custom(
+            "-am", "f",
+            [&settings](const OptionValues& given) {
+                if (given.real(0) <= 0) given.reject("the radius must be above 0");
+                settings.photon_radius = given.real(0);
+            },
+            "max photon search radius")
+        .named("radius")
+        .shown([&settings] { return formatted("-am %.1f", settings.photon_radius); });
+    const auto positive = [](const OptionValues& given) {
+        if (given.real(0) <= 0) given.reject("the ratio must be above 0");
+    };
+    table
+        .custom("-ac", "f", positive,
+                "photon cache page size ratio (no effect: maps are held in memory)")
+        .named("ratio");
+    table
+        .custom(
+            "-aC", "s", [](const OptionValues&) {}, "num cached photons (no effect: maps are held in memory)")
+        .named("count");
+}
+
 void add_refused_rows(OptionTable& table) {
-    const std::string photons = "photon maps are not built yet";
-    table.unsupported("-ap", "s", photons);
-    table.unsupported("-am", "f", photons);
-    table.unsupported("-ac", "i", photons);
-    table.unsupported("-aC", "i", photons);
     table.unsupported("-features", "", "-help lists what there is");
 }
 
@@ -227,6 +269,7 @@ void add_render_options(OptionTable& table, RenderOptions& options) {
     add_limit_rows(table, settings);
     add_definition_rows(table, options);
     add_persistence_rows(table, options);
+    add_photon_rows(table, settings);
     add_refused_rows(table);
 }
 

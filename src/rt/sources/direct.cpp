@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "rt/materials/scattering.h"
+#include "rt/photons/photon_maps.h"
 #include "rt/scratch.h"
 #include "rt/sources/source_aim.h"
 #include "rt/tracer.h"
@@ -23,6 +24,10 @@ constexpr double tiny = 1e-6;
 }  // namespace
 
 void Tracer::add_direct(const Scattering& scattering, Interaction& at) {
+    if (scene_.photons() && scene_.photons()->direct()) {
+        add_direct_photons(scattering, at);
+        return;
+    }
     if (scene_.sampled_sources().empty() || at.distance >= infinite_distance * 0.99) return;
     std::vector<Contribution>& all = scratch_->contributions;
     all.clear();
@@ -84,7 +89,7 @@ void Tracer::add_sample(int number, const SourceAim& aim, const Scattering& scat
                         const Interaction& at) {
     Contribution contribution{
         number, aim.direction, infinite_distance, Spectrum(at.channels()), Spectrum(at.channels()), 0};
-    scattering.eval(aim.direction, aim.omega, contribution.coefficient);
+    scattering.eval(aim.direction, aim.omega, !is_in_photon_map(*at.ray), contribution.coefficient);
     contribution.coefficient *= static_cast<float>(aim.omega);
     if (contribution.coefficient.maximum() <= 0 || !source_value(contribution, at)) return;
     scratch_->contributions.push_back(contribution);

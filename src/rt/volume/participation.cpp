@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "rt/photons/photon_maps.h"
+#include "rt/scratch.h"
 #include "rt/sources/source_aim.h"
 #include "rt/tracer.h"
 #include "rt/volume/henyey_greenstein.h"
@@ -41,9 +43,12 @@ void Tracer::participate(Interaction& at) {
         at.sky->share *= left;
     }
     if (to_source || !medium.scatters()) return;
-    for (int c = 0; c < at.channels(); ++c)
+    const PhotonMaps* const maps = scene_.photons();
+    const bool by_photons = maps && maps->volume();
+    for (int c = 0; c < at.channels() && !by_photons; ++c)
         at.radiance.set(c, at.radiance[c] + medium.albedo[c] * scene_.ambient_value()[c] * (1.0f - left[c]));
     if (at.distance >= infinite_distance * 0.99 || medium.eccentricity >= 1.0 - tiny) return;
+    if (by_photons) return add_scattered_photons(*maps, at);
     for (const int source : medium.sources) add_scattered(source, at);
 }
 
@@ -59,6 +64,25 @@ void Tracer::add_scattered(int source, Interaction& at) {
         if (before.maximum() <= invisible) return;
         Spectrum arriving(at.channels());
         if (!light_at_place(source, distance, at, arriving)) continue;
+        at.radiance.add_scaled(arriving * scattering * before, static_cast<float>(at.distance / places));
+    }
+}
+
+// All scattered light, from the density of photons at places spread over the ray.
+void Tracer::add_scattered_photons(const PhotonMaps& maps, Interaction& at) {
+    const Medium& medium = *at.medium;
+    const int places = place_count(at.distance, settings_.medium_step);
+    const Spectrum scattering = medium.extinction * medium.albedo;
+    Spectrum before(at.channels()), arriving(at.channels());
+    for (int i = 0; i < places; ++i) {
+        const double distance = at.distance * (i + random_.uniform()) / places;
+        medium.transmittance(distance, before);
+        if (before.maximum() <= invisible) return;
+        const PhotonColor color =
+            scratch_->photons.volume(*maps.volume(), at.ray->origin + at.ray->direction * distance,
+                                     at.ray->direction, medium.eccentricity);
+        for (int c = 0; c < at.channels(); ++c)
+            arriving.set(c, static_cast<float>(color[static_cast<std::size_t>(c)]));
         at.radiance.add_scaled(arriving * scattering * before, static_cast<float>(at.distance / places));
     }
 }
