@@ -24,7 +24,7 @@ class OctantOverlap::Polygon {
     /// Where no edge of the polygon enters the octant: does its inside? Then it meets the octant's diagonal
     /// that is nearest to its normal.
     bool meets_inside(const ClipBox& octant) {
-        if (!plane_) plane_ = mean_plane(corners_);
+        if (!plane_) plane_ = corner_plane(corners_);
         const Vec3& normal = plane_->normal;
         Vec3 back, front;
         for (int i = 0; i < 3; ++i) {
@@ -66,7 +66,7 @@ class OctantOverlap::Polygon {
     }
 
     std::span<const Vec3> corners_;
-    std::optional<MeanPlane> plane_;
+    std::optional<CornerPlane> plane_;
 };
 
 OctantOverlap::OctantOverlap(const Cube& cell) {

@@ -44,7 +44,7 @@ SurfaceCheck check_polygon(std::span<const double> reals) {
     if (corners.size() == 3) return {};
     // RADIANCE's allowance: 1e-5 of the plane's distance from the origin, or absolute for a plane through it.
     constexpr double allowance = 1e-5;
-    const double offset = mean_plane(corners).offset;
+    const double offset = corner_plane(corners).offset;
     const double limit = allowance * (std::abs(offset) > allowance ? std::abs(offset) : 1.0);
     for (const Vec3& corner : corners)
         if (std::abs(dot(normal, corner) - offset) > limit) return {true, "non-planar vertex"};
@@ -92,8 +92,8 @@ void polygon_corners(std::span<const double> reals, std::vector<Vec3>& corners) 
     if (dot(closing, closing) <= tiny_length * tiny_length) corners.pop_back();
 }
 
-MeanPlane mean_plane(std::span<const Vec3> corners) {
-    MeanPlane plane{unit(area_normal(corners))};
+CornerPlane corner_plane(std::span<const Vec3> corners) {
+    CornerPlane plane{unit(area_normal(corners))};
     for (const Vec3& corner : corners) plane.offset += dot(plane.normal, corner);
     plane.offset /= double(corners.size());
     return plane;

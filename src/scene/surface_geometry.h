@@ -24,11 +24,11 @@ struct Box {
 void polygon_corners(std::span<const double> reals, std::vector<Vec3>& corners);
 
 /// The plane of points p with dot(normal, p) = offset that lies closest to a polygon.
-struct MeanPlane {
+struct CornerPlane {
     Vec3 normal;  ///< towards the front, unit length; zero if the polygon has no area
     double offset = 0;
 };
-MeanPlane mean_plane(std::span<const Vec3> corners);
+CornerPlane corner_plane(std::span<const Vec3> corners);
 
 /// A cone, cylinder or ring as a line turned about an axis: from radius r0 around p0 to r1 >= r0 around p1.
 struct TurnedLine {

@@ -225,5 +225,23 @@ TEST(Options, HelpHoldsTheDescription) {
               std::string::npos);
 }
 
+TEST(OptionTable, AnOptionMayTakeTheRestOfTheCommandLine) {
+    OptionTable table("test");
+    table.take_words_literally();
+    std::vector<std::string> rest;
+    bool plus = false;
+    table.rest(
+        "-c", 1, [&](const OptionValues& given) { rest.assign(given.values.begin(), given.values.end()); },
+        "command");
+    table.custom(
+        "+d", "", [&](const OptionValues&) { plus = true; }, "dimensions");
+    const auto operands = table.parse({"+d", "-c", "run", "-x", "@file", "$NAME"});
+    EXPECT_TRUE(operands && operands->empty());
+    EXPECT_TRUE(plus);
+    EXPECT_EQ(rest, (std::vector<std::string>{"run", "-x", "@file", "$NAME"}));
+    EXPECT_EQ(table.parse({"@file", "-c"}), (std::vector<std::string>{"@file", "-c"}));
+    EXPECT_THROW(table.parse({"-c"}), Error);
+}
+
 }  // namespace
 }  // namespace infra

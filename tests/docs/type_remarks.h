@@ -34,8 +34,7 @@ inline std::string_view type_remark(PrimitiveType type) {
         {prism2, relays},
         {BSDF, bsdf},
         {aBSDF, bsdf},
-        {dielectric,
-         "what lies beyond one scatters by -mg, not evenly; the Hartmann constant only shifts the index"},
+        {dielectric, "what lies beyond one scatters by -mg, not evenly"},
         {mist,
          "seen through the hole that antimatter cut; relays (mirror>lamp) are always found, where RADIANCE "
          "may "
