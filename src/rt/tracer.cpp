@@ -326,8 +326,9 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
         child.weight /= count;
     }
     Spectrum sum(at.channels()), tint(at.channels(), 1.0f);
-    int draws = 0;
-    for (int traced = 0; (lobe.redraws ? traced : draws) < count && draws < 10 * count; ++draws) {
+    const int most_draws = lobe.redraws ? count * Lobe::most_redraws : count;
+    int draws = 0, traced = 0;
+    for (; traced < count && draws < most_draws; ++draws) {
         const LobeDraw draw = lobe.sample(random_, draws, count);
         if (draw.lost != 0 && at.blackbody) {  // not reflected, so absorbed
             if (lobe.colored) lobe.tint(draw.wi, tint);
@@ -345,7 +346,11 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
         }
         sum.add_scaled(seen.radiance, static_cast<float>(draw.weight));
     }
-    at.radiance.add_scaled(sum, static_cast<float>(count) / static_cast<float>(draws));
+    if (lobe.redraws && lobe.counts_draws && count > 1)
+        sum *= static_cast<float>(count) / static_cast<float>(draws);
+    else if (lobe.redraws && at.blackbody)
+        sum.add_scaled(*at.blackbody * child.coefficient, static_cast<float>(count - traced));
+    at.radiance += sum;
 }
 
 bool Tracer::spawn(Ray& child, std::uint16_t kind, const Interaction& from, const Spectrum* coefficient) {

@@ -126,6 +126,7 @@ class Tracer {
     bool sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum);
     bool sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spectrum& sum);
     bool sample_cell(Hemisphere& half, int cell, Interaction& at, Spectrum& radiance);
+    void turn_upwards(const Hemisphere& half, Vec3& direction);
     bool spawn_ambient(Hemisphere& half, const Interaction& at);
     bool trace_ambient(Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance);
 
