@@ -187,7 +187,7 @@ bool Tracer::shade_chain(const Modifier* chain, Interaction& at) {
     for (; chain; chain = chain->next()) {
         const MaterialTraits* material = irradiance_here ? chain->traits() : nullptr;
         if (material && !material->is_light && !material->is_mixture) {
-            if (material->transparent) {
+            if (material->transparent || material->stands_for_others) {
                 pass_through(at);
             } else {
                 at.pattern.fill(1.0f);
