@@ -14,11 +14,12 @@ struct Interaction;
 /// What the rest of the renderer must know of a material without running it.
 struct MaterialTraits {
     std::string_view name;
-    bool transparent = false;   ///< loses against an opaque surface in the same place; -i looks through it
-    bool blocks_light = false;  ///< a shadow ray that meets it is certainly stopped
-    bool emits = false;         ///< sends out radiance of its own, or a part of it does
-    bool is_light = false;      ///< light, glow, spotlight, illum: not shaded white by -i
-    bool is_mixture = false;    ///< stands for other materials: mixtures, antimatter
+    bool transparent = false;  ///< loses against an opaque surface in the same place; -i looks through it
+    bool stands_for_others = false;  ///< for geometry near it (BSDF with a thickness): -i looks through it
+    bool blocks_light = false;       ///< a shadow ray that meets it is certainly stopped
+    bool emits = false;              ///< sends out radiance of its own, or a part of it does
+    bool is_light = false;           ///< light, glow, spotlight, illum: not shaded white by -i
+    bool is_mixture = false;         ///< stands for other materials: mixtures, antimatter
     const LightRelay* relay =
         nullptr;  ///< a flat surface of it makes images of light sources (mirror, prism)
 };

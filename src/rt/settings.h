@@ -19,7 +19,8 @@ inline constexpr int most_samples = 1 << 24;
 /// -ap: a photon map to use.
 struct PhotonMapRequest {
     std::string file;
-    int fewest = 0, most = 0;  ///< photons that an estimate takes: more than one number to compensate bias; 0: usual
+    int fewest = 0,
+        most = 0;  ///< photons that an estimate takes: more than one number to compensate bias; 0: usual
 };
 
 struct RenderSettings {
@@ -30,7 +31,7 @@ struct RenderSettings {
     double shadow_certainty = 0.5;    ///< -dc
     bool sources_visible = true;      ///< -dv
     int direct_relays = 1;            ///< -dr: mirrors on the way from a source, 0..
-    int direct_pretest = 512;         ///< -dp: rays to see whether a virtual source is worth keeping; 0: keep all
+    int direct_pretest = 512;  ///< -dp: rays to see whether a virtual source is worth keeping; 0: keep all
 
     // Specular lobes
     double specular_threshold = 0.15;  ///< -st: rough lobes of this share or less join the ambient term
@@ -41,13 +42,14 @@ struct RenderSettings {
     int ambient_value_weight = 0;        ///< -aw: weight of -av among the cached values, 0: it stays as it is
     int ambient_bounces = 0;             ///< -ab
     double ambient_accuracy = 0;         ///< -aa: error of interpolated irradiance, 0: none is interpolated
-    int ambient_resolution = 64;         ///< -ar: scene size over the least distance of cached values; 0: no limit
-    std::string ambient_file;            ///< -af: cached values from and for other runs; empty: none
-    int ambient_divisions = 512;         ///< -ad: rays of a hemisphere
-    int ambient_super_samples = 128;     ///< -as: extra rays where neighbours differ
-    NameFilter ambient_filter;           ///< -ai -ae
+    int ambient_resolution = 64;  ///< -ar: scene size over the least distance of cached values; 0: no limit
+    std::string ambient_file;     ///< -af: cached values from and for other runs; empty: none
+    int ambient_divisions = 512;  ///< -ad: rays of a hemisphere
+    int ambient_super_samples = 128;  ///< -as: extra rays where neighbours differ
+    NameFilter ambient_filter;        ///< -ai -ae
+    double guided_samples =
+        0;  ///< -gs: rays of a hemisphere or lobe sent to what is bright (guiding/guide.h)
 
-    double guided_samples = 0;  ///< -gs: rays of a hemisphere or lobe sent to what is bright (guiding/guide.h)
     // Photon maps
     std::vector<PhotonMapRequest> photon_maps;  ///< -ap
     double photon_radius = 0;  ///< -am: distance within which photons are looked for; 0: by their density

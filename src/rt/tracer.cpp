@@ -194,7 +194,7 @@ bool Tracer::shade_chain(const Modifier* chain, Interaction& at) {
     for (; chain; chain = chain->next()) {
         const MaterialTraits* material = irradiance_here ? chain->traits() : nullptr;
         if (material && !material->is_light && !material->is_mixture) {
-            if (material->transparent) {
+            if (material->transparent || material->stands_for_others) {
                 pass_through(at);
             } else {
                 at.pattern.fill(1.0f);
@@ -338,8 +338,9 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     std::optional<GuidedShare> guided;
     if (guide_ && lobe.exact(count)) guided.emplace(*this, at.point, at.weight);
     Spectrum sum(at.channels()), tint(at.channels(), 1.0f);
-    int draws = 0;
-    for (int traced = 0; (lobe.redraws ? traced : draws) < count && draws < 10 * count; ++draws) {
+    const int most_draws = lobe.redraws ? count * Lobe::most_redraws : count;
+    int draws = 0, traced = 0;
+    for (; traced < count && draws < most_draws; ++draws) {
         const LobeDraw draw = lobe.sample(random_, draws, count);
         if (draw.lost != 0 && at.blackbody) {  // not reflected, so absorbed
             if (lobe.colored) lobe.tint(draw.wi, tint);
@@ -359,7 +360,11 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
         if (guided) weight *= guided->weight_of_others(draw.wi, count * lobe.pdf(draw.wi));
         sum.add_scaled(seen.radiance, static_cast<float>(weight));
     }
-    at.radiance.add_scaled(sum, static_cast<float>(count) / static_cast<float>(draws));
+    if (lobe.redraws && lobe.counts_draws && count > 1)
+        sum *= static_cast<float>(count) / static_cast<float>(draws);
+    else if (lobe.redraws && at.blackbody)
+        sum.add_scaled(*at.blackbody * child.coefficient, static_cast<float>(count - traced));
+    at.radiance += sum;
     if (guided) guide_lobe(lobe, count, *guided, at);
 }
 

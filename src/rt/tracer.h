@@ -148,8 +148,9 @@ class Tracer {
     bool sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum);
     bool sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spectrum& sum);
     bool sample_cell(Hemisphere& half, int cell, Interaction& at, Spectrum& radiance);
+    void turn_upwards(const Hemisphere& half, Vec3& direction);
     bool spawn_ambient(Hemisphere& half, const Interaction& at);
-    void guide_hemisphere(Hemisphere& half, const Spectrum& coefficient, Interaction& at, Spectrum& sum);
+    void guide_hemisphere(const Hemisphere& half, const Spectrum& coefficient, Interaction& at, Spectrum& sum);
     bool trace_ambient(Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance);
 
     // sources/direct.cpp

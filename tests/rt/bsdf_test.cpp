@@ -56,6 +56,23 @@ TEST(BsdfMaterial, OfThicknessIsNotSeenAndCastsNoShadow) {
     }
 }
 
+TEST(BsdfMaterial, OfThicknessIsLookedThroughForIrradiance) {
+    const test::TemporaryFolder folder;
+    test::write_file(folder / "flat.xml", test::matrix_file(disk_lobe(0.1, 0, 1), disk_lobe(0.05, 0, 1)));
+    RenderSettings irradiance = settings();
+    irradiance.irradiance = true;
+    irradiance.ambient_bounces = 0;
+    const auto seen = [&](const std::string& thickness) {
+        test::TracedScene scene("void BSDF m 6 " + thickness + " " + (folder / "flat.xml") + " 0 1 0 . 0 0" +
+                                    test::plate +
+                                    " void light l 0 0 3 100 100 100 l source sun 0 0 4 0 0 -1 1\n",
+                                irradiance);
+        return scene.radiance({0.1, 0, 3}, {0, 0, -1})[0];
+    };
+    EXPECT_EQ(seen("0"), 0) << "lit from behind";
+    EXPECT_EQ(seen(".5"), 100) << "the lamp itself";
+}
+
 TEST(BsdfMaterial, OfZeroThicknessBlocksLight) {
     const test::TemporaryFolder folder;
     test::write_file(folder / "flat.xml", test::matrix_file(disk_lobe(0.1, 0, 1), disk_lobe(0.05, 0, 1)));
@@ -114,6 +131,28 @@ TEST(ApertureBsdf, LetsViewAndShadowRaysThroughUnscattered) {
         "void aBSDF m 5 " + (folder / "holes.xml") + " 0 1 0 . 0 0" + test::plate + behind, direct);
     const double open = without.radiance({0.1, 0, -.5}, {0, 0, -1})[0];
     EXPECT_NEAR(scene.radiance({0.1, 0, -.5}, {0, 0, -1})[0], 0.5 * open, 1e-3 * open);
+}
+
+// A peak of many patches with nothing around it is no aperture: all of nothing counts as one patch, which is
+// less than a fifth of the peak, as in RADIANCE 6.1.
+TEST(ApertureBsdf, OfAWidePeakOverNothingIsNone) {
+    const test::TemporaryFolder folder;
+    const auto through_peak = [&](double radius2) {
+        const auto peak = [=](const Point2& in, const Point2& out) {
+            const double dx = in[0] - out[0], dy = in[1] - out[1];
+            return 0.01 + (dx * dx + dy * dy < radius2 ? 1.0 : 0.0);
+        };
+        test::write_file(folder / "peak.xml", test::tree_file(3, disk_lobe(0, 0, 1), peak));
+        RenderSettings direct = settings();
+        direct.ambient_bounces = 0;
+        direct.specular_threshold = 1;
+        test::TracedScene scene(
+            "void aBSDF m 5 " + (folder / "peak.xml") + " 0 1 0 . 0 0" + test::plate + test::surrounding(1),
+            direct);
+        return scene.radiance({0.1, 0, 3}, {0, 0, -1})[0];
+    };
+    EXPECT_GT(through_peak(0.03), 0.09);
+    EXPECT_EQ(through_peak(0.1), 0);
 }
 
 TEST(BsdfMaterial, NamesWhatItMisses) {

@@ -85,6 +85,16 @@ TEST(DirectLight, DiskOverheadWithoutJitterIsAsInRadiance) {
     EXPECT_NEAR(still.irradiance(ground.origin, ground.direction), 0.614864, 2e-4);
 }
 
+// Nor are the axes of its parts just any across the normal: its figures for -ds .1 -dj 0 -u-.
+TEST(DirectLight, SlantedDiskWithoutJitterIsAsInRadiance) {
+    RenderSettings settings = fine();
+    settings.source_size_ratio = 0.1;
+    test::TracedScene still(lamp + "lamp ring r 0 0 8 0 0 2 1 2 -2 0 1\n", settings);
+    EXPECT_NEAR(still.irradiance(ground.origin, ground.direction), 0.5203338, 2e-5);
+    EXPECT_NEAR(still.irradiance({0.5, 0.9, 0}, ground.direction), 0.4257865, 2e-5);
+    EXPECT_NEAR(still.irradiance({-0.7, 1, 0}, ground.direction), 0.3534932, 2e-5);
+}
+
 TEST(DirectLight, SourcesAreDarkFromBehindAndBelowTheHorizon) {
     test::TracedScene scene(lamp + unit_square);
     EXPECT_EQ(scene.irradiance({0, 0, 2}, {0, 0, -1}), 0);

@@ -108,5 +108,18 @@ TEST(Text, MixtextChoosesAModifier) {
     EXPECT_FLOAT_EQ(scene.at(1.5, 0.5), 1.0f);
 }
 
+// The text chooses one material, which then tells a ray from within what it has travelled in.
+TEST(MixText, LeavesTheBodyOfADielectric) {
+    const std::string body = "void dielectric d 0 0 5 .5 .5 .5 1.5 0\n", ball = "m sphere s 0 0 4 0 0 0 1\n";
+    const test::TemporaryFolder folder;
+    test::write_file(folder / "test.fnt", font_text);
+    test::TracedScene plain(body + "void alias m d\n" + ball + test::surrounding(1));
+    test::TracedScene text(body + "void mixtext m 5 d d " + (folder / "test.fnt") +
+                           " . IB 0 9 -1 1 .5 .7 0 0 0 -.9 .1\n" + ball + test::surrounding(1));
+    const double seen = plain.radiance({0, 0, 0}, {0, 0, 1})[0];
+    EXPECT_NEAR(seen, 0.5 * 0.96 * 2.25 / (1 - 0.04 * 0.25), 0.05);
+    EXPECT_EQ(text.radiance({0, 0, 0}, {0, 0, 1})[0], static_cast<float>(seen));
+}
+
 }  // namespace
 }  // namespace infra

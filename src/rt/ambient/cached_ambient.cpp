@@ -29,7 +29,7 @@ class HitWallTest : public WallTest {
             tracer_.cast(seen);
             if (!seen.hit()) return false;
             const Finish& finish = tracer_.scene().finish(seen.surface);
-            if (finish.material && !finish.transparent()) return true;
+            if (finish.material && !finish.transparent() && !finish.material->stands_for_others) return true;
             ray.origin = seen.point;
             ray.leaving = {seen.flat_shape, seen.placement};
             ray.max_distance -= seen.distance;

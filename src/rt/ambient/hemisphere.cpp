@@ -10,6 +10,7 @@
 
 #include "rt/ambient/cosine_direction.h"
 #include "rt/ambient/hemisphere_cells.h"
+#include "rt/ambient/tilt.h"
 #include "rt/guiding/guided_share.h"
 #include "rt/scratch.h"
 #include "rt/tracer.h"
@@ -20,36 +21,65 @@ namespace {
 constexpr double tiny = 1e-6;
 constexpr int most_divisions = 4096;       // along a side: a hemisphere then has most_samples rays
 constexpr int least_cells_for_extra = 49;  // fewer rays say too little of where the differences are
+constexpr int least_divisions_for_tilt = 7;
+constexpr int most_redraws = 10;
 
 }  // namespace
 
 /// The rays of one hemisphere: where they go and what each brings.
 struct Tracer::Hemisphere {
     std::uint16_t kind;
-    Vec3 normal, u, v;  ///< frame around the normal with its textures
+    Vec3 normal;  ///< with its textures
     Vec3 surface_normal;
-    bool tilted;
-    int divisions;   ///< along each side of the square
-    Spectrum share;  ///< coefficient of one ray
-    Ray ray;         ///< each of them but for its direction
-    bool steady;     ///< all rays are heavy enough to be traced, so that `ray` serves for all
+    bool textured;
+    Vec3 u, v, axis;           ///< frame that the rays are drawn in
+    std::optional<Tilt> tilt;  ///< what weighs them, where the axis is not the normal
+    double weight = 1;         ///< of the last ray
+    int divisions = 1;         ///< along each side of the square
+    Spectrum share;            ///< coefficient of one ray
+    Ray ray;                   ///< each of them but for its direction
+    bool steady = false;       ///< all rays are heavy enough to be traced, so that `ray` serves for all
     std::optional<GuidedShare> guided;
 
-    /// Where a ray for this direction of the textured hemisphere goes: what falls below the surface is turned
-    /// back.
-    Vec3 turned_back(const Vec3& direction) const {
-        const double height = tilted ? dot(direction, surface_normal) : 1.0;
-        return height < 0 ? direction - surface_normal * (2.0 * height) : direction;
-    }
-    /// Density [1/sr] of the rays that are not guided, 0 below the surface.
-    double density(const Vec3& wi) const {
-        const double height = dot(wi, surface_normal);
-        if (height <= 0) return 0;
-        double cosines = std::fmax(dot(wi, normal), 0.0);
-        if (tilted) cosines += std::fmax(dot(wi - surface_normal * (2.0 * height), normal), 0.0);
-        return cosines * std::numbers::inv_pi;
-    }
+    void lay_frame();
+    void balance(Spectrum& sum, int traced, double weights) const;
+    double density(const Vec3& wi) const;
+    double share_of(const Vec3& wi) const;
+    Vec3 to_scene(const Vec3& local) const { return u * local.x + v * local.y + axis * local.z; }
 };
+
+// Many rays over a textured surface fill the hemisphere over the true one and are weighted; few, whose sum
+// could be negative then, are drawn around the turned normal and again if they fall below the surface. Even
+// light gives the same with a texture as without in both cases.
+void Tracer::Hemisphere::lay_frame() {
+    const bool weighted = textured && divisions >= least_divisions_for_tilt;
+    axis = weighted ? surface_normal : normal;
+    make_frame(axis, u, v);
+    if (weighted) tilt.emplace(dot(normal, u), dot(normal, v));
+}
+
+// Of the rays that are not guided, all together [1/sr].
+double Tracer::Hemisphere::density(const Vec3& wi) const {
+    const double height = dot(wi, surface_normal);
+    if (height <= 0) return 0;
+    const double count = divisions * divisions;
+    if (tilt) return count * tilt->density({0, 0, height});
+    // Of a hemisphere around the turned normal so much is above the surface.
+    const double above = textured ? 0.5 * (1 + dot(normal, surface_normal)) : 1.0;
+    return count * std::max(dot(wi, normal), 0.0) * std::numbers::inv_pi / above;
+}
+
+// What radiance from there counts for in the mean over the hemisphere [1/sr].
+double Tracer::Hemisphere::share_of(const Vec3& wi) const {
+    const double share = density(wi) / (divisions * divisions);
+    return tilt && share > 0 ? share * tilt->weight({dot(wi, u), dot(wi, v), dot(wi, axis)}) : share;
+}
+
+// Weights have a mean of 1. Divided by what these came to, even light is free of noise.
+void Tracer::Hemisphere::balance(Spectrum& sum, int traced, double weights) const {
+    if (!tilt || traced == 0) return;
+    if (weights > 0.5 * traced) sum *= static_cast<float>(traced / weights);
+}
 
 void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at) {
     if (coefficient.maximum() <= 0) return;
@@ -60,20 +90,17 @@ void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool o
     if (computed && irradiance_cache_) {
         if (add_cached_ambient(coefficient, normal, other_side, at)) return;
     } else if (computed) {
-        Hemisphere half{other_side ? through_ambient : reflected_ambient,
-                        normal,
-                        Vec3{0},
-                        Vec3{0},
-                        other_side ? -at.normal : at.normal,
-                        at.textured(),
-                        1,
-                        coefficient,
-                        Ray(at.channels()),
-                        false,
-                        std::nullopt};
-        make_frame(normal, half.u, half.v);
+        Hemisphere half{.kind = other_side ? through_ambient : reflected_ambient,
+                        .normal = normal,
+                        .surface_normal = other_side ? -at.normal : at.normal,
+                        .textured = at.textured(),
+                        .share = coefficient,
+                        .ray = Ray(at.channels())};
         Spectrum sum(at.channels());
         if (sample_hemisphere(half, at, sum)) {
+            if (half.guided) guide_hemisphere(half, coefficient, at, sum);
+            // What lies in the direction that a normal turns away from takes no more than there is.
+            for (int c = 0; half.tilt && c < sum.channels(); ++c) sum.set(c, std::max(0.0f, sum[c]));
             at.radiance += sum;
             return;
         }
@@ -92,17 +119,33 @@ bool Tracer::spawn_ambient(Hemisphere& half, const Interaction& at) {
 bool Tracer::trace_ambient(Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance) {
     if (!half.steady && !spawn_ambient(half, at)) return false;
     Ray& child = half.ray;
-    const Vec3 local = cosine_direction(x, y);
-    child.direction = half.turned_back(half.u * local.x + half.v * local.y + half.normal * local.z);
+    if (half.tilt) {
+        const Vec3 local = half.tilt->direction(x, y);
+        half.weight = half.tilt->weight(local);
+        child.direction = half.to_scene(local);
+    } else {
+        child.direction = half.to_scene(cosine_direction(x, y));
+        if (half.textured) turn_upwards(half, child.direction);
+    }
     Interaction seen(child);
     trace(seen);
     radiance = seen.radiance * child.coefficient;
-    if (half.guided) {
-        const double count = half.divisions * half.divisions;
-        radiance *= static_cast<float>(
-            half.guided->weight_of_others(child.direction, count * half.density(child.direction)));
-    }
+    if (half.guided)
+        radiance *=
+            static_cast<float>(half.guided->weight_of_others(child.direction, half.density(child.direction)));
     return true;
+}
+
+// Draws a direction again that is below the true surface; after many tries it is turned back.
+void Tracer::turn_upwards(const Hemisphere& half, Vec3& direction) {
+    for (int draws = 0; dot(direction, half.surface_normal) < 0; ++draws) {
+        if (draws == most_redraws) {
+            direction -= half.surface_normal * (2.0 * dot(direction, half.surface_normal));
+            return;
+        }
+        const double x = random_.uniform(), y = random_.uniform();
+        direction = half.to_scene(cosine_direction(x, y));
+    }
 }
 
 // Adds up coefficient times the mean radiance of the hemisphere. False if no ray was heavy enough to be
@@ -116,12 +159,9 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
     const double weight = std::fmin(at.weight, heaviest);
     half.divisions = std::clamp(static_cast<int>(std::sqrt(settings_.ambient_divisions * weight) + 0.5), 1,
                                 most_divisions);
+    half.lay_frame();
+    if (guide_) half.guided.emplace(*this, at.point, at.weight);
     const int cell_count = half.divisions * half.divisions;
-    const Spectrum whole = half.share;
-    if (guide_) {
-        half.guided.emplace(*this, at.point, at.weight);
-        guide_hemisphere(half, whole, at, sum);
-    }
     half.share *= 1.0f / static_cast<float>(cell_count);
     const double ray_weight = at.weight * half.share.maximum();
     half.steady = ray_weight > settings_.min_weight && half.share.maximum() <= 1;
@@ -134,25 +174,29 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
 
     Spectrum radiance(at.channels());
     int traced = 0;
+    double weights = 0;
     for (int cell = 0; cell < cell_count; ++cell)
         if (sample_cell(half, cell, at, radiance)) {
-            sum += radiance;
+            sum.add_scaled(radiance, static_cast<float>(half.weight));
+            weights += half.weight;
             ++traced;
         }
+    half.balance(sum, traced, weights);
     return traced > 0;
 }
 
 // Rays of a hemisphere that go where it is bright.
-void Tracer::guide_hemisphere(Hemisphere& half, const Spectrum& coefficient, Interaction& at, Spectrum& sum) {
-    const double count = half.divisions * half.divisions;
+void Tracer::guide_hemisphere(const Hemisphere& half, const Spectrum& coefficient, Interaction& at,
+                              Spectrum& sum) {
     Spectrum radiance(at.channels());
     for (int i = 0; i < half.guided->count(); ++i) {
         const Vec3 wi = half.guided->draw();
         const double density = half.density(wi);
         if (!(density > 0)) continue;
-        const double share = density / half.guided->total(wi, count * density);
-        if (trace_guided(half.kind, coefficient * static_cast<float>(share), wi, at, radiance))
-            sum += radiance;
+        const double share = half.share_of(wi) / half.guided->total(wi, density);
+        const Spectrum size = coefficient * static_cast<float>(std::fabs(share));
+        if (trace_guided(half.kind, size, wi, at, radiance))
+            sum.add_scaled(radiance, share < 0 ? -1.0f : 1.0f);
     }
 }
 
@@ -176,6 +220,8 @@ bool Tracer::sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spe
         HemisphereCell& cell = cells[static_cast<std::size_t>(c)];
         if (!sample_cell(half, c, at, cell.mean)) continue;
         cell.brightness = cell.mean.brightness();
+        cell.mean *= static_cast<float>(half.weight);
+        cell.weight = static_cast<float>(half.weight);
         ++traced;
     }
     if (traced == cell_count) {
@@ -189,12 +235,19 @@ bool Tracer::sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spe
             remaining -= cell.variance;
             for (int k = 1; k <= wanted && extra > 0; ++k, --extra) {
                 if (!sample_cell(half, c, at, radiance)) break;
-                cell.mean *= static_cast<float>(k) / static_cast<float>(k + 1);
-                cell.mean.add_scaled(radiance, 1.0f / static_cast<float>(k + 1));
+                const float share = 1.0f / static_cast<float>(k + 1);
+                cell.mean *= static_cast<float>(k) * share;
+                cell.mean.add_scaled(radiance, static_cast<float>(half.weight) * share);
+                cell.weight += (static_cast<float>(half.weight) - cell.weight) * share;
             }
         }
     }
-    for (const HemisphereCell& cell : cells) sum += cell.mean;
+    double weights = 0;
+    for (const HemisphereCell& cell : cells) {
+        sum += cell.mean;
+        weights += static_cast<double>(cell.weight);
+    }
+    half.balance(sum, traced, weights);
     scratch_->hemispheres[level] = std::move(cells);
     return traced > 0;
 }

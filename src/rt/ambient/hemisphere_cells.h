@@ -9,8 +9,9 @@
 namespace infra {
 
 struct HemisphereCell {
-    Spectrum mean;
-    float brightness = 0;
+    Spectrum mean;         ///< of radiance times weight
+    float weight = 0;      ///< mean of its rays'
+    float brightness = 0;  ///< of its first ray, not weighted
     float variance = 0;
     int neighbours = 0;
 };

@@ -28,7 +28,9 @@ class AshikhminReflection final : public Lobe {
     AshikhminReflection(const Spectrum& coefficient_, const AshikhminSetting& setting)
         : Lobe(reflected_lobe, coefficient_),
           s_(setting),
-          amplitude_(std::sqrt((s_.power_u + 1) * (s_.power_v + 1)) * (0.5 * std::numbers::inv_pi)) {}
+          amplitude_(std::sqrt((s_.power_u + 1) * (s_.power_v + 1)) * (0.5 * std::numbers::inv_pi)) {
+        redraws = true;
+    }
 
     /// The size of the source changes nothing.
     double eval(const Vec3& wi, double) const override {
@@ -43,15 +45,12 @@ class AshikhminReflection final : public Lobe {
     /// As in RADIANCE 6.1 each sample weighs 1 and is drawn again when it falls below the surface: the lobe
     /// keeps all its energy, where eval() loses some towards grazing.
     LobeDraw sample(RandomStream& random, int, int) const override {
-        for (int attempt = 0; attempt < 10; ++attempt) {
-            const Vec3 half = draw_facet(random);
-            const Vec3 wi = s_.view_direction + half * (-2.0 * dot(half, s_.view_direction));
-            if (dot(wi, s_.surface_normal) > same_place) return {normalize(wi), 1.0};
-        }
-        return {.lost = 1};
+        const Vec3 half = draw_facet(random);
+        const Vec3 wi = s_.view_direction + half * (-2.0 * dot(half, s_.view_direction));
+        return {normalize(wi), dot(wi, s_.surface_normal) > same_place ? 1.0 : 0.0};
     }
 
-    /// Of a single attempt: what sample() draws again is missing from its integral.
+    /// What falls below the surface is missing from its integral.
     double pdf(const Vec3& wi) const override {
         if (dot(wi, s_.surface_normal) <= same_place) return 0;
         const Vec3 half = normalize(wi - s_.view_direction);

@@ -29,8 +29,11 @@ class Lobe {
 
     std::uint16_t kind;  ///< reflected_lobe or through_lobe
     Spectrum coefficient;
-    bool redraws =
-        false;  ///< samples of no weight are replaced until `count` are traced, and divided by all draws
+    /// Samples of no weight are drawn again until `count` are traced, most_redraws draws for each of them.
+    bool redraws = false;
+    /// The sum of several such samples is divided by the number of draws, not of samples.
+    bool counts_draws = false;
+    static constexpr int most_redraws = 10;  ///< RADIANCE's: what a steep texture leaves dark depends on it
 
     bool colored = false;
 

@@ -24,7 +24,8 @@ struct WardSetting {
     Vec3 surface_normal;                 ///< without textures: no ray goes below this one
     FacetSlopes roughness;               ///< > 0
     double specular_samples;             ///< -ss
-    const WardEnergy* energy = nullptr;  ///< of the reflection, where several rays may sample it
+    /// Of the reflection, where several rays may sample it and the frame's normal is the surface's.
+    const WardEnergy* energy = nullptr;
 };
 
 /// Number of rays for -ss: one up to 1.5, above that so many for a ray of weight 1.
@@ -68,7 +69,7 @@ class WardReflection final : public Lobe {
     /// (1 - -dj).
     WardReflection(const Spectrum& coefficient_, const WardSetting& setting, double source_widening)
         : Lobe(reflected_lobe, coefficient_), s_(setting), widening_(source_widening) {
-        redraws = true;
+        redraws = counts_draws = true;
     }
 
     double eval(const Vec3& wi, double omega) const override {
@@ -84,22 +85,17 @@ class WardReflection final : public Lobe {
         return density > same_place ? density * cosine : 0;
     }
 
-    /// A single sample is drawn again when it falls below the surface and weighs 1: it keeps all energy. One
-    /// of several is weighted for the reflectance that eval() has, which falls towards grazing. (Both as in
-    /// RADIANCE 6.1.)
+    /// A single sample weighs 1: drawn again when it falls below the surface, it keeps all energy but where a
+    /// texture turns the lobe below it. One of several is weighted for the reflectance that eval() has, which
+    /// falls towards grazing. (Both as in RADIANCE 6.1.)
     LobeDraw sample(RandomStream& random, int, int count) const override {
-        for (int attempt = 0; attempt < 10; ++attempt) {
-            const Vec3 wi = ward_reflected(s_.view_direction, s_.frame.normal + ward_slope(s_, random));
-            if (count > 1) {
-                const double weight = ward_weight(s_.view_direction, wi, s_.surface_normal);
-                return {wi, weight, s_.energy ? 0.0 : 1.0 - weight};  // what mean_weight() does not know of
-            }
-            if (dot(wi, s_.surface_normal) > same_place) return {wi, 1.0};
-        }
-        return {.lost = 1};
+        const Vec3 wi = ward_reflected(s_.view_direction, s_.frame.normal + ward_slope(s_, random));
+        if (count == 1) return {wi, dot(wi, s_.surface_normal) > same_place ? 1.0 : 0.0};
+        const double weight = ward_weight(s_.view_direction, wi, s_.surface_normal);
+        return {wi, weight, s_.energy ? 0.0 : 1.0 - weight};  // what mean_weight() does not know of
     }
 
-    /// Of a single attempt: what sample() draws again is missing from its integral.
+    /// What falls below the surface is missing from its integral.
     double pdf(const Vec3& wi) const override {
         if (dot(wi, s_.surface_normal) <= same_place) return 0;
         const Vec3 half = normalize(wi - s_.view_direction);
@@ -130,7 +126,9 @@ class WardReflection final : public Lobe {
 class WardTransmission final : public Lobe {
   public:
     WardTransmission(const Spectrum& coefficient_, const WardSetting& setting, const Vec3& straight)
-        : Lobe(through_lobe, coefficient_), s_(setting), straight_(straight) {}
+        : Lobe(through_lobe, coefficient_), s_(setting), straight_(straight) {
+        redraws = true;
+    }
 
     double eval(const Vec3& wi, double omega) const override {
         const double cosine = dot(wi, s_.frame.normal);
@@ -150,11 +148,8 @@ class WardTransmission final : public Lobe {
     }
 
     LobeDraw sample(RandomStream& random, int, int) const override {
-        for (int attempt = 0; attempt < 10; ++attempt) {
-            const Vec3 wi = normalize(straight_ + ward_slope(s_, random));
-            if (dot(wi, s_.surface_normal) < -same_place) return {wi, 1.0};
-        }
-        return {.lost = 1};
+        const Vec3 wi = normalize(straight_ + ward_slope(s_, random));
+        return {wi, dot(wi, s_.surface_normal) < -same_place ? 1.0 : 0.0};
     }
 
     /// The displacement lies in the surface's plane: density of the slope times the change from slope to

@@ -88,8 +88,10 @@ BsdfMaterial::BsdfMaterial(ModifierContext& context, bool has_aperture, std::sha
         is_flat_ = parse_real(context.strings()[0], thickness) && thickness == 0;
         if (!is_flat_) functions_.add_expression(context, 0);
     }
-    traits_ = {
-        .name = context.name(), .transparent = has_aperture, .blocks_light = is_flat_ && !has_aperture};
+    traits_ = {.name = context.name(),
+               .transparent = has_aperture,
+               .stands_for_others = !is_flat_,
+               .blocks_light = is_flat_ && !has_aperture};
 }
 
 BsdfMaterial::Geometry BsdfMaterial::geometry_at(Tracer& tracer, const Interaction& at) const {

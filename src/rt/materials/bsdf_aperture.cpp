@@ -14,7 +14,8 @@ constexpr int axis_steps = 4, diagonal_steps = 3;
 constexpr std::size_t probe_count = 1 + 4 * (axis_steps + diagonal_steps);
 constexpr double largest_patch = 1.5;     // of a peak, over the smallest of the table
 constexpr double steepest_fall = 8;       // of a patch below the mean of the peak so far, which ends it
-constexpr double least_surround = 0.2;    // solid angle around the peak over its own
+constexpr double least_surround = 0.2;    // solid angle around the peak over its own; all empty patches are
+                                          // one, as in RADIANCE: it sees no aperture in a wide peak over none
 constexpr double least_through = 0.0005;  // less is not worth a ray
 
 /// What the table holds for a direction near the one straight on.
@@ -61,10 +62,11 @@ Aperture find_aperture(const BsdfHit& hit) {
     Aperture found(hit.channels.count());
     double peak_angle = 0, surround_angle = 0, peak_sum = 0;
     int peak_patches = 0;
-    std::size_t last_cell = ScatterEntry::none;
+    ScatterEntry last{.value = 1};
     for (const Probe& probe : probes) {
-        if (probe.entry.cell == last_cell) continue;
-        last_cell = probe.entry.cell;
+        const bool both_empty = probe.entry.value <= 0 && last.value <= 0;
+        if (probe.entry.cell == last.cell || both_empty) continue;
+        last = probe.entry;
         const double value = probe.entry.value + lambertian_y;
         const double angle = probe.entry.projected_solid_angle;
         const Spectrum f = hit.spectrum_of(*table, probe.entry, hit.viewer, probe.direction);

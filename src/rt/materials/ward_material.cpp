@@ -74,7 +74,7 @@ void WardMaterial::set_facets(Tracer& tracer, const Interaction& at, const Vec3&
         setting.frame = frame_around(normal);
     const WardFacets& facets = oriented ? p_.facets : orientation_->all_around;
     setting.roughness = facets.roughness;
-    setting.energy = facets.energy.get();
+    setting.energy = at.textured() ? nullptr : facets.energy.get();  // it knows of one normal only
 }
 
 void WardMaterial::scatter(Tracer& tracer, const Interaction& at, bool shadow, Scattering& out) const {

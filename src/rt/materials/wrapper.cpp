@@ -9,6 +9,7 @@ MaterialTraits wrapper_traits(std::string_view name, const Modifier* reflecting)
     MaterialTraits traits{.name = name, .blocks_light = true, .emits = true};
     if (material) {
         traits.transparent = material->traits()->transparent;
+        traits.stands_for_others = material->traits()->stands_for_others;
         traits.blocks_light = material->traits()->blocks_light;
         traits.relay = material->traits()->relay;
     }

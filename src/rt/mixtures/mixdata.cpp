@@ -14,9 +14,9 @@
 namespace infra {
 namespace {
 
-class MixData final : public Mixture {
+class MixData final : public Blend {
   public:
-    explicit MixData(ModifierContext& context) : Mixture(context), share_(context, 2) {}
+    explicit MixData(ModifierContext& context) : Blend(context), share_(context, 2) {}
 
   private:
     bool foreground_share(Tracer& tracer, const Interaction& at, double& share) const override {

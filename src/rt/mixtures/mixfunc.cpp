@@ -13,9 +13,9 @@
 namespace infra {
 namespace {
 
-class MixFunc final : public Mixture {
+class MixFunc final : public Blend {
   public:
-    explicit MixFunc(ModifierContext& context) : Mixture(context), share_(context, 2, 1, 3) {}
+    explicit MixFunc(ModifierContext& context) : Blend(context), share_(context, 2, 1, 3) {}
 
   private:
     bool foreground_share(Tracer& tracer, const Interaction& at, double& share) const override {

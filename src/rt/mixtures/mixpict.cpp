@@ -15,10 +15,10 @@
 namespace infra {
 namespace {
 
-class MixPicture final : public Mixture {
+class MixPicture final : public Blend {
   public:
     explicit MixPicture(ModifierContext& context)
-        : Mixture(context),
+        : Blend(context),
           picture_(shared_picture(context, context.strings()[3])),
           functions_(context, 5, 2, 4) {
         functions_.add_function(context, 2, 3);

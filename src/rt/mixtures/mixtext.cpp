@@ -9,6 +9,7 @@
 #include "rt/compile/modifier_table.h"
 #include "rt/mixtures/mixture.h"
 #include "rt/text/text_block.h"
+#include "rt/tracer.h"
 
 namespace infra {
 namespace {
@@ -17,12 +18,11 @@ class MixText final : public Mixture {
   public:
     explicit MixText(ModifierContext& context) : Mixture(context), text_(context, 2, 9) {}
 
-  private:
-    bool foreground_share(Tracer& tracer, const Interaction& at, double& share) const override {
-        share = text_.covers(tracer, at) ? 1 : 0;
-        return true;
+    bool shade(Tracer& tracer, Interaction& at) const override {
+        return tracer.shade_chain(text_.covers(tracer, at) ? foreground() : background(), at);
     }
 
+  private:
     TextBlock text_;
 };
 

@@ -38,7 +38,7 @@ Mixture::Mixture(ModifierContext& context)
                             "modify the materials instead");
 }
 
-bool Mixture::shade(Tracer& tracer, Interaction& at) const {
+bool Blend::shade(Tracer& tracer, Interaction& at) const {
     double share;
     if (!foreground_share(tracer, at, share)) return false;
     share = std::clamp(share, 0.0, 1.0);
@@ -49,8 +49,8 @@ bool Mixture::shade(Tracer& tracer, Interaction& at) const {
         fore.sky = &fore_sky;
         back.sky = &back_sky;
     }
-    const bool fore_material = shade_part(tracer, fore, foreground_, share);
-    const bool back_material = shade_part(tracer, back, background_, 1.0 - share);
+    const bool fore_material = shade_part(tracer, fore, foreground(), share);
+    const bool back_material = shade_part(tracer, back, background(), 1.0 - share);
     if (back_material && !fore_material && share > negligible) tracer.pass_through(fore);
     if (fore_material && !back_material && 1.0 - share > negligible) tracer.pass_through(back);
 

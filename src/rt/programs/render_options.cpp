@@ -183,7 +183,8 @@ void add_photon_rows(OptionTable& table, RenderSettings& settings) {
     table
         .custom(
             "-ap", "sii", [&settings](const OptionValues& given) { take_photon_map(settings, given); },
-            "photon map of mkpmap, and photons an estimate takes; from one number to another to compensate bias")
+            "photon map of mkpmap, and photons an estimate takes; from one number to another to compensate "
+            "bias")
         .optional_after(1)
         .named("file [bandwidth [largest]]");
     table
@@ -199,9 +200,7 @@ void add_photon_rows(OptionTable& table, RenderSettings& settings) {
     const auto positive = [](const OptionValues& given) {
         if (given.real(0) <= 0) given.reject("the ratio must be above 0");
     };
-    table
-        .custom("-ac", "f", positive,
-                "photon cache page size ratio (no effect: maps are held in memory)")
+    table.custom("-ac", "f", positive, "photon cache page size ratio (no effect: maps are held in memory)")
         .named("ratio");
     table
         .custom(
@@ -209,9 +208,7 @@ void add_photon_rows(OptionTable& table, RenderSettings& settings) {
         .named("count");
 }
 
-void add_refused_rows(OptionTable& table) {
-    table.unsupported("-features", "", "-help lists what there is");
-}
+void add_refused_rows(OptionTable& table) { table.unsupported("-features", "", "-help lists what there is"); }
 
 }  // namespace
 

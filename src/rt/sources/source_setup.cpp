@@ -14,13 +14,16 @@ constexpr double pi = std::numbers::pi;
 
 Vec3 vec(std::span<const double> n, std::size_t first) { return {n[first], n[first + 1], n[first + 2]}; }
 
-// Square of the same area as a flat source of any outline.
+// Square of the same area as a flat source of any outline, along the axes that RADIANCE takes when nothing is
+// drawn at random (-u-): the first lies across the last of x, y, z that is not near the normal.
 void set_square_axes(LightSource& source) {
-    Vec3 u, v;
-    make_frame(source.normal, u, v);
-    const double half_side = 0.5 * std::sqrt(source.size);
-    source.half_axis[0] = u * half_side;
-    source.half_axis[1] = v * half_side;
+    constexpr double near = 0.6;  // cosine
+    int other = 2;
+    while (other > 0 && std::fabs(source.normal[other]) >= near) --other;
+    Vec3 across{0};
+    across[other] = 1;
+    source.half_axis[0] = normalize(cross(across, source.normal)) * (0.5 * std::sqrt(source.size));
+    source.half_axis[1] = cross(source.normal, source.half_axis[0]);
 }
 
 double distance_to_line(const Vec3& p, const Vec3& a, const Vec3& b) {
