@@ -19,8 +19,7 @@ inline constexpr int most_samples = 1 << 24;
 /// -ap: a photon map to use.
 struct PhotonMapRequest {
     std::string file;
-    int fewest = 0,
-        most = 0;  ///< photons that an estimate takes: more than one number to compensate bias; 0: usual
+    int fewest = 0, most = 0;  ///< photons that an estimate takes; they differ to compensate bias; 0: usual
 };
 
 struct RenderSettings {

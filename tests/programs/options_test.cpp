@@ -233,10 +233,38 @@ TEST(Options, that_radiance_has_and_we_have_not_are_refused_by_name) {
         EXPECT_TRUE(text.starts_with("command line error at '" + option + "': option is not supported ("))
             << text;
     };
-    for (const char* option : {"-ap", "-am"}) {
-        expect_refused(refusal<RpictOptions>({option}), option);
-        expect_refused(refusal<RtraceOptions>({option}), option);
-    }
+    expect_refused(refusal<RpictOptions>({"-features"}), "-features");
+    expect_refused(refusal<RtraceOptions>({"-features"}), "-features");
+}
+
+TEST(Options, name_photon_maps_with_up_to_two_bandwidths) {
+    const auto settings = [](std::vector<std::string> words) {
+        return Parsed<RpictOptions>(std::move(words)).options.render.settings;
+    };
+    const RenderSettings given =
+        settings({"-ap", "a.gpm", "-ap", "b.gpm", "50", "-ap", "c.cpm", "20", "60", "-am", ".25"});
+    ASSERT_EQ(given.photon_maps.size(), 3u);
+    EXPECT_EQ(given.photon_maps[0].file, "a.gpm");
+    EXPECT_EQ(given.photon_maps[0].most, 0);
+    EXPECT_EQ(given.photon_maps[1].fewest, 50);
+    EXPECT_EQ(given.photon_maps[1].most, 50);
+    EXPECT_EQ(given.photon_maps[2].fewest, 20);
+    EXPECT_EQ(given.photon_maps[2].most, 60);
+    EXPECT_EQ(given.photon_radius, 0.25);
+    EXPECT_EQ(given.ambient_bounces, 1);  // the first map turns them on
+    EXPECT_EQ(settings({"-ap", "a", "9", "-ab", "0"}).ambient_bounces, 0);
+    EXPECT_EQ(settings({"-ab", "-1", "-ap", "a", "9"}).ambient_bounces, -1);
+    EXPECT_EQ(settings({"-ab", "3", "-ap", "a", "9"}).ambient_bounces, 3);
+
+    EXPECT_EQ(refusal<RpictOptions>({"-ap"}),
+              "command line error at '-ap': needs an argument (usage: -ap file [bandwidth [largest]])");
+    EXPECT_NE(refusal<RtraceOptions>({"-ap", "a", "0"}).find("must be at least 1"), std::string::npos);
+    EXPECT_NE(refusal<RtraceOptions>({"-ap", "a", "20", "20"}).find("must be above the first"), std::string::npos);
+    EXPECT_NE(refusal<RtraceOptions>({"-am", "0"}).find("must be above 0"), std::string::npos);
+    EXPECT_NE(refusal<RtraceOptions>({"-ac", "0"}).find("must be above 0"), std::string::npos);
+    EXPECT_EQ(refusal<RtraceOptions>({"-ac", "4", "-aC", "10k"}), "taken");
+    EXPECT_NE(Parsed<RtraceOptions>({}).table.defaults().find("-am 0.0\t\t\t\t# max photon search radius\n"),
+              std::string::npos);
 }
 
 TEST(Options, that_make_no_sense_are_refused) {

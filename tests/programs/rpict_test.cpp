@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 
 #include "command.h"
@@ -228,7 +229,13 @@ TEST_F(Rpict, ends_with_one_line_when_something_is_wrong) {
     EXPECT_NE(complaint("a.oct b.oct").find("'a.oct'"), std::string::npos);
     EXPECT_NE(complaint("-o no_such_folder/p.hdr scene.oct").find("no_such_folder/p.hdr"), std::string::npos);
     EXPECT_NE(complaint("-x 2000000000 -y 2000000000 scene.oct").find("too large"), std::string::npos);
-    EXPECT_NE(complaint("-ap map scene.oct").find("'-ap': option is not supported"), std::string::npos);
+    EXPECT_NE(complaint("-ap map scene.oct").find("cannot open photon map \"map\""), std::string::npos);
+    folder.write("old.gpm", "#?RADIANCE\n\n");
+    EXPECT_NE(complaint("-ap old.gpm scene.oct").find("old.gpm: this is no photon map"), std::string::npos);
+    const auto made = std::filesystem::last_write_time(folder.path("scene.oct"));
+    std::filesystem::last_write_time(folder.path("old.gpm"), made - std::chrono::hours(1));
+    EXPECT_NE(complaint("-ap old.gpm scene.oct").find("old.gpm: this photon map is older than the octree"),
+              std::string::npos);
 }
 
 }  // namespace

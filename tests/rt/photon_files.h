@@ -43,8 +43,8 @@ class PhotonTree {
   private:
     /// Nodes left of the root in a heap of n nodes.
     static std::size_t left_size(std::size_t n) {
-        const std::size_t last_row = std::bit_floor(n);   // room in the last level
-        const std::size_t above = last_row - 1;           // nodes above it
+        const std::size_t last_row = std::bit_floor(n);  // room in the last level
+        const std::size_t above = last_row - 1;          // nodes above it
         const std::size_t half = last_row / 2;
         return (above - 1) / 2 + std::min(n - above, half);
     }

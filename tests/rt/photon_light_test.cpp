@@ -16,24 +16,26 @@ using test::TracedScene;
 
 constexpr double pi = std::numbers::pi;
 constexpr double reflectance = 0.6;
-constexpr int bandwidth = 400;      // an estimate from it is 1 + 1/800 too high
+constexpr int bandwidth = 400;  // an estimate from it is 1 + 1/800 too high
 constexpr double bias = 0.00125;
-constexpr int density = 40000;      // photons of a unit square
+constexpr int density = 40000;  // photons of a unit square
 
 /// Light on the inside of a unit box.
 struct PhotonLight : testing::Test {
     test::TemporaryFolder folder;
     RenderSettings settings = test::bounce_settings(64);
     const double irradiance = flux_of(grey_flux(99)) * density;
-    const std::string box = test::words("void plastic grey 0 0 5", reflectance, reflectance, reflectance, "0 0\n") +
-                            "grey polygon floor 0 0 12 0 0 0 1 0 0 1 1 0 0 1 0\n"
-                            "grey polygon ceiling 0 0 12 0 0 1 0 1 1 1 1 1 1 0 1\n"
-                            "grey polygon west 0 0 12 0 0 0 0 1 0 0 1 1 0 0 1\n"
-                            "grey polygon east 0 0 12 1 0 0 1 0 1 1 1 1 1 1 0\n"
-                            "grey polygon south 0 0 12 0 0 0 0 0 1 1 0 1 1 0 0\n"
-                            "grey polygon north 0 0 12 0 1 0 1 1 0 1 1 1 0 1 1\n";
-    const std::string lamp = "void light bright 0 0 3 100 100 100\n"
-                             "bright sphere lamp 0 0 4 .5 .5 .8 .05\n";
+    const std::string box =
+        test::words("void plastic grey 0 0 5", reflectance, reflectance, reflectance, "0 0\n") +
+        "grey polygon floor 0 0 12 0 0 0 1 0 0 1 1 0 0 1 0\n"
+        "grey polygon ceiling 0 0 12 0 0 1 0 1 1 1 1 1 1 0 1\n"
+        "grey polygon west 0 0 12 0 0 0 0 1 0 0 1 1 0 0 1\n"
+        "grey polygon east 0 0 12 1 0 0 1 0 1 1 1 1 1 1 0\n"
+        "grey polygon south 0 0 12 0 0 0 0 0 1 1 0 1 1 0 0\n"
+        "grey polygon north 0 0 12 0 1 0 1 1 0 1 1 1 0 1 1\n";
+    const std::string lamp =
+        "void light bright 0 0 3 100 100 100\n"
+        "bright sphere lamp 0 0 4 .5 .5 .8 .05\n";
 
     // Beyond the edges of each wall too, so that no estimate meets an edge.
     std::string box_of_photons(const std::string& word, bool caustic = false) {
@@ -123,10 +125,12 @@ TEST_F(PhotonLight, DirectPhotonsStandForLamps) {
 }
 
 TEST_F(PhotonLight, GlassAndMirrorsGiveNoDirectLightWhereCausticsDo) {
-    const std::string pane = "void glass clear 0 0 3 .9 .9 .9\n"
-                             "clear polygon pane 0 0 12 -1 -1 .6 2 -1 .6 2 2 .6 -1 2 .6\n";
-    const std::string virtual_lamp = "void mirror silver 0 0 3 .9 .9 .9\n"
-                                     "silver polygon glass 0 0 12 0 .01 0 0 .01 1 1 .01 1 1 .01 0\n";
+    const std::string pane =
+        "void glass clear 0 0 3 .9 .9 .9\n"
+        "clear polygon pane 0 0 12 -1 -1 .6 2 -1 .6 2 2 .6 -1 2 .6\n";
+    const std::string virtual_lamp =
+        "void mirror silver 0 0 3 .9 .9 .9\n"
+        "silver polygon glass 0 0 12 0 .01 0 0 .01 1 1 .01 1 1 .01 0\n";
     settings.ambient_bounces = -1;
     const double through = seen(box + lamp + pane, 20).mean;
     const double twice = seen(box + lamp + virtual_lamp, 20).mean;
@@ -140,8 +144,9 @@ TEST_F(PhotonLight, GlassAndMirrorsGiveNoDirectLightWhereCausticsDo) {
 }
 
 TEST_F(PhotonLight, BouncesEndAtPanesWhereCausticsDo) {
-    const std::string pane = "void glass clear 0 0 3 .9 .9 .9\n"
-                             "clear polygon pane 0 0 12 0 0 .7 1 0 .7 1 1 .7 0 1 .7\n";
+    const std::string pane =
+        "void glass clear 0 0 3 .9 .9 .9\n"
+        "clear polygon pane 0 0 12 0 0 .7 1 0 .7 1 1 .7 0 1 .7\n";
     use(box_of_photons("Global"));
     const double with = seen(box + pane, 50).mean;
     use(box_of_photons("Caustic"));
@@ -166,8 +171,9 @@ TEST_F(PhotonLight, FogScattersPhotons) {
     for (float& e : settings.extinction) e = 0.7f;
     for (float& a : settings.scattering_albedo) a = 0.5f;
     TracedScene scene(box, settings);
-    const test::Estimate estimate =
-        scene.mean_radiance(300, [](RandomStream& r) { return test::RaySpec{{r.uniform(), r.uniform(), 1}, {0, 0, -1}}; });
+    const test::Estimate estimate = scene.mean_radiance(300, [](RandomStream& r) {
+        return test::RaySpec{{r.uniform(), r.uniform(), 1}, {0, 0, -1}};
+    });
     const double isotropic = flux_of(grey_flux(99)) * count / 8 / (4 * pi);
     // extinction times albedo times the integral of what is left on the way
     test::expect_close(estimate, isotropic * 0.5 * (1 - std::exp(-0.7)), 0.02);

@@ -34,15 +34,17 @@ std::vector<Photon> random_photons(std::size_t count, std::uint64_t seed) {
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 position(coordinate(), coordinate(), 0.3 * coordinate());
         const Vec3 normal = normalize(Vec3(coordinate(), coordinate(), coordinate()));
-        photons.push_back(test::photon(position, normal, grey_flux(static_cast<std::uint8_t>(random.uniform() * 256)),
+        photons.push_back(test::photon(position, normal,
+                                       grey_flux(static_cast<std::uint8_t>(random.uniform() * 256)),
                                        random.uniform() < 0.3));
     }
     return photons;
 }
 
 /// Mean of the estimate over its limit for many photons: the edge between the k-th and the next.
-/// With q the share of the disk (or ball) of the next that the k-th encloses, q is Beta(k, 1) and independent of its
-/// size G, which is Gamma(k + 1); E[k/G] = 1 and the edge gives (2 / (1 + q^(1/d)))^d. s: the d-th root of q.
+/// With q the share of the disk (or ball) of the next that the k-th encloses, q is Beta(k, 1) and independent
+/// of its size G, which is Gamma(k + 1); E[k/G] = 1 and the edge gives (2 / (1 + q^(1/d)))^d. s: the d-th
+/// root of q.
 double mean_estimate(int k, int dimensions) {
     constexpr int steps = 20000;
     double sum = 0;
@@ -93,7 +95,8 @@ TEST_F(PhotonFile, HoldsWhatWasWritten) {
             const PhotonMap::Attributes found = map.attributes(search.found()[0].place);
             EXPECT_EQ(found.flux(), photon.flux);
             EXPECT_EQ(found.is_caustic(), photon.is_caustic());
-            for (int i = 0; i < 3; ++i) EXPECT_EQ(found.direction(i), photon.direction[static_cast<std::size_t>(i)]);
+            for (int i = 0; i < 3; ++i)
+                EXPECT_EQ(found.direction(i), photon.direction[static_cast<std::size_t>(i)]);
         }
     }
 }
@@ -240,8 +243,10 @@ test::Estimate plane_estimate(int fewest, int most) {
     PhotonDensity density;
     RandomStream random(8, 1);
     for (std::uint64_t trial = 0; trial < 60; ++trial) {
-        std::vector<Photon> photons = on_plane({0, 0, 1}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, count, grey_flux(99), trial);
-        const auto below = on_plane({0, 0, 1}, {2, 0, 0}, {0, 2, 0}, {0, 0, -1}, count, grey_flux(200), trial + 1000);
+        std::vector<Photon> photons =
+            on_plane({0, 0, 1}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, count, grey_flux(99), trial);
+        const auto below =
+            on_plane({0, 0, 1}, {2, 0, 0}, {0, 2, 0}, {0, 0, -1}, count, grey_flux(200), trial + 1000);
         photons.insert(photons.end(), below.begin(), below.end());
         const PhotonSource source{map_of(PhotonKind::global, photons), fewest, most, 4.0f};
         for (int i = 0; i < 36; ++i) {  // the disks of 40 photons do not overlap
@@ -275,7 +280,8 @@ TEST(PhotonDensity, CompensationKeepsEdges) {
         const PhotonSource source{map_of(PhotonKind::global, photons), fewest, most, 4.0f};
         double sum = 0;
         for (int i = 0; i < 100; ++i)
-            sum += density.surface(source, {-0.02, -0.5 + 0.01 * i, 0}, {0, 0, 1}, false, random)[0] / exact / 100;
+            sum += density.surface(source, {-0.02, -0.5 + 0.01 * i, 0}, {0, 0, 1}, false, random)[0] / exact /
+                   100;
         return 1 - sum;
     };
     EXPECT_GT(error(800, 800), 0.35);
@@ -285,7 +291,8 @@ TEST(PhotonDensity, CompensationKeepsEdges) {
 TEST(PhotonDensity, TooFewWithinTheRadius) {
     // The radius then counts as the farthest photon, which no photon stands for.
     std::vector<Photon> photons;
-    for (const double x : {0.1, 0.2, 0.3}) photons.push_back(test::photon({x, 0, 0}, {0, 0, 1}, grey_flux(64)));
+    for (const double x : {0.1, 0.2, 0.3})
+        photons.push_back(test::photon({x, 0, 0}, {0, 0, 1}, grey_flux(64)));
     const PhotonMap map = map_of(PhotonKind::caustic, photons);
     PhotonDensity density;
     RandomStream random(1, 0);
@@ -321,13 +328,15 @@ TEST(PhotonDensity, OfAVolume) {
             }
             const PhotonSource source{map_of(PhotonKind::volume, photons), 30, 30, 4.0f};
             for (int i = 0; i < 64; ++i)
-                mean.add(density.volume(source, {0.2 + i % 4 * 0.2, 0.2 + i / 4 % 4 * 0.2, 0.2 + i / 16 * 0.2},
+                mean.add(density.volume(source,
+                                        {0.2 + i % 4 * 0.2, 0.2 + i / 4 % 4 * 0.2, 0.2 + i / 16 * 0.2},
                                         {0, 0, -1}, g)[2]);
         }
         const Photon sample = test::photon(Vec3(0), {0, 0.6, 0.8}, grey_flux(99));
         const double cosine = sample.direction[2] / 127.0;  // rounded to 8 bits; they go towards the eye
         const double phase = (1 - g * g) / (4 * pi * std::pow(1 + g * g - 2 * g * cosine, 1.5));
-        test::expect_close(mean.estimate(), phase * flux_of(grey_flux(99)) * count * mean_estimate(30, 3), 0.03);
+        test::expect_close(mean.estimate(), phase * flux_of(grey_flux(99)) * count * mean_estimate(30, 3),
+                           0.03);
     }
 }
 
@@ -388,7 +397,9 @@ TEST_F(PhotonSet, CountsAndRadii) {
     warnings.clear();
     read({{global, 50, 50}, {global, 20, 20}});
     EXPECT_EQ(warnings, std::vector{global + ": replaces another global photon map"});
-    EXPECT_EQ(error_of([&] { read({{volume, 20, 30}}); }),
+    EXPECT_EQ(error_of([&] {
+                  read({{volume, 20, 30}});
+              }),
               volume + ": bias compensation is not available for a volume map (give one bandwidth)");
 }
 

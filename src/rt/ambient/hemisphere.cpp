@@ -71,8 +71,8 @@ double Tracer::Hemisphere::density(const Vec3& wi) const {
 
 // What radiance from there counts for in the mean over the hemisphere [1/sr].
 double Tracer::Hemisphere::share_of(const Vec3& wi) const {
-    const double share = density(wi) / (divisions * divisions);
-    return tilt && share > 0 ? share * tilt->weight({dot(wi, u), dot(wi, v), dot(wi, axis)}) : share;
+    const double even = density(wi) / (divisions * divisions);
+    return tilt && even > 0 ? even * tilt->weight({dot(wi, u), dot(wi, v), dot(wi, axis)}) : even;
 }
 
 // Weights have a mean of 1. Divided by what these came to, even light is free of noise.

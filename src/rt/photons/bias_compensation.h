@@ -1,11 +1,11 @@
 // How many photons an estimate should take: few leave noise, many blur what changes nearby.
 //
 // Estimates from one up to the fewest photons allowed give a mean and a variance. Then the count is sought by
-// halves: an estimate from more photons that differs from the mean by no more than noise would is taken, and joins it;
-// one that differs by more is biased, and fewer photons are tried.
+// halves: an estimate from more photons that differs from the mean by no more than noise would is taken, and
+// joins it; one that differs by more is biased, and fewer photons are tried.
 //
-// source: Schregle, "Bias Compensation for Photon Maps", Computer Graphics Forum 22 (2003); weights as measured from
-// RADIANCE 6.1.
+// source: Schregle, "Bias Compensation for Photon Maps", Computer Graphics Forum 22 (2003); weights as
+// measured from RADIANCE 6.1.
 #pragma once
 
 #include <cmath>
@@ -32,7 +32,8 @@ class BiasCompensation {
     /// The estimate to use, after one has been added for each count up to `fewest`.
     ///   estimate(count)  from the nearest `count` photons
     template <class Estimator>
-    PhotonColor choose(std::size_t fewest, std::size_t most, const Estimator& estimate, RandomStream& random) {
+    PhotonColor choose(std::size_t fewest, std::size_t most, const Estimator& estimate,
+                       RandomStream& random) {
         while (most - fewest > 1) {
             const std::size_t middle = (fewest + most) / 2;
             const PhotonColor more = estimate(middle);

@@ -17,8 +17,7 @@ constexpr std::size_t fewest_photons = 2;
 void add_flux(PhotonColor& sum, const Rgbe& flux, double factor) {
     if (flux[3] == 0) return;
     constexpr int exponent_bias = 136;
-    const double scale =
-        factor * std::bit_cast<double>(std::uint64_t{1023u + flux[3] - exponent_bias} << 52);
+    const double scale = factor * std::bit_cast<double>(std::uint64_t{1023u + flux[3] - exponent_bias} << 52);
     for (std::size_t c = 0; c < 3; ++c) sum[c] += (flux[c] + 0.5) * scale;
 }
 

@@ -55,7 +55,8 @@ PhotonKind read_kind(ByteReader& in) {
 }
 
 std::uint32_t unsigned_at(const unsigned char* bytes) {
-    return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 | std::uint32_t{bytes[2]} << 8 | bytes[3];
+    return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 | std::uint32_t{bytes[2]} << 8 |
+           bytes[3];
 }
 
 /// ByteReader::real() without its calls.

@@ -1,5 +1,5 @@
-// Where photons take the place of rays, as in RADIANCE: at the end of a diffuse bounce, for caustics on what the
-// eye sees, and, to test maps, for direct light. Media: volume/participation.cpp.
+// Where photons take the place of rays, as in RADIANCE: at the end of a diffuse bounce, for caustics on what
+// the eye sees, and, to test maps, for direct light. Media: volume/participation.cpp.
 #include <numbers>
 
 #include "rt/materials/scattering.h"
@@ -52,7 +52,8 @@ void Tracer::add_direct_photons(const Scattering& scattering, Interaction& at) {
     constexpr double half_space = std::numbers::pi;  // projected solid angle
     Spectrum coefficient(at.channels()), radiance(at.channels());
     scattering.eval(at.normal, half_space, !is_in_photon_map(*at.ray), coefficient);
-    set(radiance, scratch_->photons.surface(*scene_.photons()->direct(), at.point, at.normal, false, random_));
+    set(radiance,
+        scratch_->photons.surface(*scene_.photons()->direct(), at.point, at.normal, false, random_));
     at.radiance.add_scaled(radiance * coefficient, static_cast<float>(half_space));
 }
 

@@ -1,5 +1,7 @@
 #include "rt/photons/photon_map.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 
 namespace infra {
@@ -11,6 +13,15 @@ std::size_t subtree_size(std::size_t node, std::size_t count) {
     for (std::size_t first = node, width = 1; first <= count; first *= 2, width *= 2)
         size += std::min(width, count - first + 1);
     return size;
+}
+
+/// Searches jump about: with pages of 4 KB each jump would look its page up too. To be called before the memory
+/// is touched; a system that knows no such pages refuses without harm.
+void ask_for_large_pages(const std::vector<float>& memory) {
+    constexpr std::uintptr_t page = 4096;
+    const auto first = (reinterpret_cast<std::uintptr_t>(memory.data()) + page - 1) & ~(page - 1);
+    const auto end = reinterpret_cast<std::uintptr_t>(memory.data() + memory.capacity());
+    if (end > first + page) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
 }
 
 }  // namespace
@@ -27,6 +38,8 @@ PhotonMap::PhotonMap(PhotonKind kind, std::size_t count, double spread2)
     inner_levels_ = static_cast<int>(levels - std::min(levels, leaf_levels));
     const std::size_t leaves = std::size_t{1} << inner_levels_;
     inner_count_ = static_cast<std::uint32_t>(leaves - 1);
+    words_.reserve(words_of_photon * count);
+    ask_for_large_pages(words_);
     words_.resize(words_of_photon * count);
     start_.reserve(leaves + 1);
     std::size_t start = inner_count_;

@@ -1,5 +1,5 @@
-// Photons as a program for forward tracing has left them, in a kd-tree that is quick to search. Immutable once
-// filled, and shared by all threads.
+// Photons as a program for forward tracing has left them, in a kd-tree that is quick to search. Immutable
+// once filled, and shared by all threads.
 //
 // The file's tree is kept, but not its order: the upper levels stay a heap, and each of the small trees below
 // becomes a leaf whose photons lie together, coordinate by coordinate. 20 bytes a photon.
@@ -81,7 +81,8 @@ class PhotonMap {
     class Attributes {
       public:
         Attributes(float flux, float direction)
-            : flux_(std::bit_cast<Rgbe>(flux)), direction_(std::bit_cast<std::array<std::int8_t, 4>>(direction)) {}
+            : flux_(std::bit_cast<Rgbe>(flux)),
+              direction_(std::bit_cast<std::array<std::int8_t, 4>>(direction)) {}
         const Rgbe& flux() const { return flux_; }
         int direction(int i) const { return direction_[static_cast<std::size_t>(i)]; }
         int axis() const { return direction_[3] & 3; }
@@ -101,7 +102,7 @@ class PhotonMap {
     double spread2_;
     int inner_levels_;
     std::uint32_t inner_count_;
-    std::vector<float> words_;  // positions, and attributes as bits
+    std::vector<float> words_;          // positions, and attributes as bits
     std::vector<std::uint32_t> start_;  // of leaves, in photons; one more than there are leaves
 };
 

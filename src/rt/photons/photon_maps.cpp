@@ -24,8 +24,8 @@ void set_counts(PhotonSource& source, const PhotonMapRequest& request, std::vect
     source.most = request.most;
     if (kind == PhotonKind::precomputed) {
         if (request.most > 1)
-            warnings.push_back(
-                warning(request, "a precomputed map is looked up one photon at a time, its bandwidth ignored"));
+            warnings.push_back(warning(
+                request, "a precomputed map is looked up one photon at a time, its bandwidth ignored"));
         source.fewest = source.most = 1;
         return;
     }
@@ -62,9 +62,8 @@ PhotonMaps::PhotonMaps(const RenderSettings& settings, std::vector<std::string>&
         source.limit2 = limit_for(source, settings.photon_radius);
         auto& slot = sources_[static_cast<std::size_t>(source.photons.kind())];
         if (slot)
-            warnings.push_back(warning(request, "replaces another " +
-                                                    std::string(name_of(source.photons.kind())) +
-                                                    " photon map"));
+            warnings.push_back(warning(
+                request, "replaces another " + std::string(name_of(source.photons.kind())) + " photon map"));
         slot.emplace(std::move(source));
     }
     covers_transmitted_light_ = caustic() || (of(PhotonKind::global) && settings.ambient_bounces < 0);

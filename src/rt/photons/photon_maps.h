@@ -24,8 +24,8 @@ class PhotonMaps {
     ///   throws  Error for files that are no maps, and for what their kind can't do
     PhotonMaps(const RenderSettings& settings, std::vector<std::string>& warnings);
 
-    /// What ends a diffuse bounce: a contribution, precomputed or global map; nullptr for none. A contribution map
-    /// also stands for caustics, by its marked photons.
+    /// What ends a diffuse bounce: a contribution, precomputed or global map; nullptr for none. A
+    /// contribution map also stands for caustics, by its marked photons.
     const PhotonSource* indirect() const;
     /// Light focused on surfaces seen by the eye: a contribution or caustic map.
     const PhotonSource* caustic() const;

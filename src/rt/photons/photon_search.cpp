@@ -24,7 +24,7 @@ void fetch(const PhotonMap::Leaf& leaf) {
 /// A part of the tree that is left for later.
 struct PhotonSearch::Pending {
     std::uint32_t node;
-    float distance2;            ///< from the query to its cell
+    float distance2;             ///< from the query to its cell
     std::array<float, 3> axis2;  ///< the parts of that along the axes
 };
 
