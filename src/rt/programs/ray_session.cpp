@@ -24,8 +24,8 @@ constexpr double irradiance_offset = 1.1e-4;
 
 class RaySession {
   public:
-    RaySession(const CompiledScene& scene, IrradianceCache* cache, const RtraceOptions& options, const OutputSpec& spec,
-               std::FILE* input, std::FILE* output)
+    RaySession(const CompiledScene& scene, IrradianceCache* cache, const RtraceOptions& options,
+               const OutputSpec& spec, std::FILE* input, std::FILE* output)
         : scene_(scene),
           options_(options),
           spec_(spec),
@@ -153,8 +153,8 @@ class RaySession {
 
 }  // namespace
 
-void answer_rays(const CompiledScene& scene, IrradianceCache* cache, const RtraceOptions& options, const OutputSpec& spec,
-                 std::FILE* input, std::FILE* output, const WarningSink& warn) {
+void answer_rays(const CompiledScene& scene, IrradianceCache* cache, const RtraceOptions& options,
+                 const OutputSpec& spec, std::FILE* input, std::FILE* output, const WarningSink& warn) {
     RaySession(scene, cache, options, spec, input, output).run(warn);
 }
 

@@ -73,7 +73,8 @@ void add_ambient_rows(OptionTable& table, RenderOptions& options) {
         .real("-gs", &settings.guided_samples,
               "guided samples: rays of a hemisphere or lobe sent to bright sky and hot surfaces")
         .unlisted()
-        .at_least(0);
+        .at_least(0)
+        .ours();
 }
 
 void add_mist_rows(OptionTable& table, RenderSettings& settings) {
@@ -158,8 +159,11 @@ void add_persistence_rows(OptionTable& table, RenderOptions& options) {
     table
         .custom("-P", "s", set_file,
                 "serve commands that name the same file from one copy of the scene, until killed")
-        .named("file");
-    table.custom("-PP", "s", set_file, "the same as -P").named("file");
+        .named("file")
+        .differing("each command has a process forked from one server that holds the scene");
+    table.custom("-PP", "s", set_file, "the same as -P")
+        .named("file")
+        .differing("each command has a process forked from one server that holds the scene");
 }
 
 void take_photon_map(RenderSettings& settings, const OptionValues& given) {
@@ -186,7 +190,8 @@ void add_photon_rows(OptionTable& table, RenderSettings& settings) {
             "photon map of mkpmap, and photons an estimate takes; from one number to another to compensate "
             "bias")
         .optional_after(1)
-        .named("file [bandwidth [largest]]");
+        .named("file [bandwidth [largest]]")
+        .differing("without -am the search radius is always that which RADIANCE starts from");
     table
         .custom(
             "-am", "f",
@@ -200,12 +205,14 @@ void add_photon_rows(OptionTable& table, RenderSettings& settings) {
     const auto positive = [](const OptionValues& given) {
         if (given.real(0) <= 0) given.reject("the ratio must be above 0");
     };
-    table.custom("-ac", "f", positive, "photon cache page size ratio (no effect: maps are held in memory)")
-        .named("ratio");
+    table.custom("-ac", "f", positive, "photon cache page size ratio")
+        .named("ratio")
+        .differing("no effect: maps are held in memory");
     table
         .custom(
-            "-aC", "s", [](const OptionValues&) {}, "num cached photons (no effect: maps are held in memory)")
-        .named("count");
+            "-aC", "s", [](const OptionValues&) {}, "num cached photons")
+        .named("count")
+        .differing("no effect: maps are held in memory");
 }
 
 void add_refused_rows(OptionTable& table) { table.unsupported("-features", "", "-help lists what there is"); }

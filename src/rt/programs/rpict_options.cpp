@@ -14,7 +14,8 @@ void add_pixel_rows(OptionTable& table, RpictOptions& options) {
     table.real("-pa", &options.pixel_aspect, "pixel aspect ratio").at_least(0);
     table.real("-pj", &options.pixel_jitter, "pixel jitter");
     table.real("-pm", &options.motion_blur, "pixel motion");
-    table.real("-pd", &options.lens_diameter, "pixel depth-of-field");
+    table.real("-pd", &options.lens_diameter, "pixel depth-of-field")
+        .differing("in a parallel view the lens moves along with the ray");
     table.integer("-ps", &options.sample_spacing, "pixel sample");
     table.real("-pt", &options.sample_contrast, "pixel threshold");
 }
@@ -36,17 +37,20 @@ void add_output_rows(OptionTable& table, RpictOptions& options) {
             "-S", "i", [&options](const OptionValues& given) { options.first_number = given.integer(0); },
             "a sequence: a picture for each view on the standard input, numbered from here; %d in the names "
             "of -o and -z is the number")
-        .named("number");
+        .named("number")
+        .differing("a view line that is not understood is an error; an empty file takes a frame");
     table
         .text("-r", &options.recover,
               "finish the unfinished picture in this file, or with -S the one with this number")
-        .named("file|number");
+        .named("file|number")
+        .differing("what our own rpict left comes out as if it had never been stopped");
     table
         .custom(
             "-ro", "s",
             [&options](const OptionValues& given) { options.recover = options.output = given.text(0); },
             "the same as -r file -o file")
-        .named("file");
+        .named("file")
+        .differing("the same; a file that is no picture is refused and stays");
 }
 
 }  // namespace
