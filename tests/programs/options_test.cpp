@@ -56,6 +56,7 @@ constexpr const char* rpict_text =
     "-ms 0.000000\t\t\t# mist sampling distance\n"
     "-lr 7        \t\t\t# limit reflection\n"
     "-lw 1.00e-04\t\t\t# limit weight\n"
+    "-am 0.0\t\t\t\t# max photon search radius\n"
     "-n 0        \t\t\t# number of threads, 0: all cores\n";
 
 constexpr const char* rtrace_text =
@@ -92,7 +93,8 @@ constexpr const char* rtrace_text =
     "-mg 0.000000\t\t\t# mist scattering eccentricity\n"
     "-ms 0.000000\t\t\t# mist sampling distance\n"
     "-lr -10      \t\t\t# limit reflection (Russian roulette)\n"
-    "-lw 1.00e-04\t\t\t# limit weight\n";
+    "-lw 1.00e-04\t\t\t# limit weight\n"
+    "-am 0.0\t\t\t\t# max photon search radius\n";
 
 template <class Options>
 struct Parsed {
