@@ -2,6 +2,7 @@
 // two programs start from different defaults (render_options.cpp).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,8 @@ struct RenderSettings {
     // Limits
     int max_reflections = 7;   ///< -lr: negative turns Russian roulette on below min_weight, 0: no limit
     double min_weight = 1e-4;  ///< -lw
+
+    std::uint64_t seed = 0;  ///< -seed: names the random streams of a run
 
     bool back_faces_visible = true;  ///< -bv
     bool irradiance = false;         ///< -i: the first surface met is white Lambertian times pi

@@ -25,11 +25,13 @@ PartialFrame example() {
     frame.picture = {.width = 5, .height = 4, .channels = 4, .space = ColorSpace::spectrum};
     frame.picture.pixels.resize(20 * 4);
     frame.depth.resize(20);
+    frame.error.resize(20 * 4);
     frame.traced.resize(20);
     for (std::size_t i = 5; i < 20; i += 3) {
         frame.traced[i] = 1;
         frame.depth[i] = float(i) / 3;
-        for (std::size_t c = 0; c < 4; ++c) frame.picture.pixels[4 * i + c] = 1 / float(i + c);
+        for (std::size_t c = 0; c < 4; ++c)
+            frame.picture.pixels[4 * i + c] = 1 / float(i + c), frame.error[4 * i + c] = 1 / float(i + c + 1);
     }
     return partial;
 }
@@ -50,6 +52,7 @@ TEST(PartialFrame, comes_back_to_the_last_bit) {
     EXPECT_EQ(read.finished_rows.pixels, written.finished_rows.pixels);
     EXPECT_EQ(read.frame.picture.pixels, written.frame.picture.pixels);
     EXPECT_EQ(read.frame.depth, written.frame.depth);
+    EXPECT_EQ(read.frame.error, written.frame.error);
     EXPECT_EQ(read.frame.traced, written.frame.traced);
     EXPECT_EQ(read.frame.picture.space, ColorSpace::spectrum);
 }

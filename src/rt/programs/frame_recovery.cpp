@@ -57,6 +57,9 @@ Recovery recover_rows(const std::string& path, const RpictOptions& options, cons
     partial.width = found.rows.width;
     partial.height = found.height;
     partial.pixel_aspect = 0;  // follows from the view
+    if (!options.error_output.empty() && partial.finished_rows.height > 0)
+        throw Error(Location{path}, "the errors of its rows are not known",
+                    "leave -se out, or render it anew");
     partial.finished_rows = std::move(found.rows);
     partial.frame = {};
     if (!options.depth_output.empty() && partial.finished_rows.height > 0) {
@@ -76,10 +79,14 @@ Recovery recover_frame(const std::string& path, const RpictOptions& options, con
     if (partial.frame.picture.channels != channels.count())
         throw Error(Location{path}, "its channels are not those that -cs and -cw ask for",
                     "finish it with the options it was begun with");
-    if (partial.frame.depth.empty() == !options.depth_output.empty())
-        throw Error(Location{path},
-                    "it was begun " + std::string(partial.frame.depth.empty() ? "without" : "with") + " -z",
-                    "finish it with the options it was begun with");
+    const auto require_same = [&](const char* option, bool begun_with, bool wanted) {
+        if (begun_with != wanted)
+            throw Error(Location{path},
+                        std::string("it was begun ") + (begun_with ? "with " : "without ") + option,
+                        "finish it with the options it was begun with");
+    };
+    require_same("-z", !partial.frame.depth.empty(), !options.depth_output.empty());
+    require_same("-se", !partial.frame.error.empty(), !options.error_output.empty());
     return recovery;
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* format_line = "FORMAT=rpict_partial";
 constexpr std::uint32_t magic = 0x50415254;  // other in the other byte order
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::size_t longest_header = 1 << 22;  // bytes
 
 /// The numbers before the values.
@@ -25,7 +25,7 @@ struct Preamble {
     std::uint32_t magic = infra::magic;
     std::uint32_t version = infra::version;
     std::int32_t width = 0, height = 0;
-    std::int32_t channels = 0, space = 0, has_depth = 0;
+    std::int32_t channels = 0, space = 0, has_depth = 0, has_error = 0;
     std::int32_t finished_rows = 0, finished_channels = 0, finished_space = 0;
 };
 static_assert(std::is_trivially_copyable_v<Preamble>);
@@ -184,10 +184,12 @@ class PartialReader {
         frame.picture.space = static_cast<ColorSpace>(start.space);
         frame.picture.pixels.resize(pixels * start.channels);
         if (start.has_depth) frame.depth.resize(pixels);
+        if (start.has_error) frame.error.resize(pixels * start.channels);
         for (std::size_t i = 0; i < pixels; ++i) {
             if (!traced[i]) continue;
             get(&frame.picture.pixels[i * start.channels], start.channels);
             if (start.has_depth) get(&frame.depth[i], 1);
+            if (start.has_error) get(&frame.error[i * start.channels], start.channels);
         }
         frame.traced = std::move(traced);
     }
@@ -213,6 +215,7 @@ void write_partial(std::FILE* file, const PartialFrame& partial, const std::vect
                          .channels = frame.picture.channels,
                          .space = static_cast<int>(frame.picture.space),
                          .has_depth = frame.depth.empty() ? 0 : 1,
+                         .has_error = frame.error.empty() ? 0 : 1,
                          .finished_rows = rows.height,
                          .finished_channels = rows.channels,
                          .finished_space = static_cast<int>(rows.space)};
@@ -226,6 +229,7 @@ void write_partial(std::FILE* file, const PartialFrame& partial, const std::vect
         if (!frame.traced[i]) continue;
         std::fwrite(&frame.picture.pixels[i * channels], sizeof(float), channels, file);
         if (start.has_depth) std::fwrite(&frame.depth[i], sizeof(float), 1, file);
+        if (start.has_error) std::fwrite(&frame.error[i * channels], sizeof(float), channels, file);
     }
     if (std::fflush(file) != 0 || std::ferror(file))
         throw Error(std::string("cannot keep the unfinished picture: ") + std::strerror(errno), {},

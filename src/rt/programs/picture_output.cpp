@@ -91,6 +91,18 @@ ExrDescription describe(const RpictOptions& options, const Picture& picture,
     return description;
 }
 
+/// Standard errors as a picture of the scene's channels.
+void write_error(const std::string& path, const Picture& values, std::vector<float> errors,
+                 ExrDescription description) {
+    Picture picture{.width = values.width, .height = values.height, .channels = values.channels};
+    picture.space = values.space;
+    picture.header = values.header;
+    picture.bands = values.bands;
+    picture.pixels = std::move(errors);
+    description.quantity = "standard error of " + description.quantity;
+    write_exr(path, picture, description);
+}
+
 void write_depth(const std::string& path, const std::vector<float>& depth) {
     AtomicFile file(path);
     std::fwrite(depth.data(), sizeof(float), depth.size(), file.stream());
@@ -128,6 +140,7 @@ void check_writable(const RpictOptions& options) {
     if (options.is_sequence()) return;  // others may be at work on it
     check_writable(frame_name(options.output, 0));
     check_writable(frame_name(options.depth_output, 0));
+    check_writable(frame_name(options.error_output, 0));
 }
 
 void write_frame(Frame frame, const Picture& finished_rows, const CompiledScene& scene,
@@ -141,6 +154,9 @@ void write_frame(Frame frame, const Picture& finished_rows, const CompiledScene&
     }
     picture.header = picture_header(first_lines, options, picture, scene);
     if (!options.depth_output.empty()) write_depth(options.depth_output, frame.depth);
+    if (!options.error_output.empty())
+        write_error(options.error_output, picture, std::move(frame.error),
+                    describe(options, picture, command_line));
     if (is_exr(options.output)) {
         write_exr(options.output, picture, describe(options, picture, command_line));
     } else if (!options.output.empty()) {

@@ -26,6 +26,7 @@ RpictOptions options_of(const RpictOptions& all, int number, const View& view,
     options.view = view;
     options.output = frame_name(all.output, number);
     options.depth_output = frame_name(all.depth_output, number);
+    options.error_output = frame_name(all.error_output, number);
     if (recovery) {
         options.width = recovery->partial.width;
         options.height = recovery->partial.height;
@@ -66,7 +67,9 @@ PictureSession::PictureSession(const LoadedScene& loaded, const RpictOptions& op
         warn(formatted("pixel sampling reduced from %d to %d", options.sample_spacing, widest_spacing));
 }
 
-int PictureSession::sample_spacing() const { return std::clamp(options_.sample_spacing, 1, widest_spacing); }
+int PictureSession::sample_spacing() const {
+    return options_.samples_per_pixel > 0 ? 1 : std::clamp(options_.sample_spacing, 1, widest_spacing);
+}
 
 /// None where the picture is blurred, or a medium lies before them all.
 std::vector<SmallSource> PictureSession::small_sources_in(const Camera& camera,
@@ -83,7 +86,8 @@ void PictureSession::render(int number, const View& view, const std::optional<Vi
                   .previous = previous,
                   .motion_blur = options_.motion_blur,
                   .lens_diameter = options_.lens_diameter,
-                  .pixel_jitter = options_.pixel_jitter};
+                  .pixel_jitter = options_.pixel_jitter,
+                  .samples = std::max(options_.samples_per_pixel, 1)};
     const RpictOptions options = options_of(options_, number, camera.view, recovery);
     PartialFrame partial = recovery ? std::move(recovery->partial) : PartialFrame{};
     partial.view = camera.view;
@@ -92,8 +96,8 @@ void PictureSession::render(int number, const View& view, const std::optional<Vi
     partial.pixel_aspect = options.pixel_aspect;
     if (partial.frame.traced.empty()) {
         std::vector<float> depths_found = std::move(partial.frame.depth);
-        partial.frame =
-            empty_frame(options.width, options.height, !options.depth_output.empty(), scene.channels());
+        partial.frame = empty_frame(options.width, options.height, !options.depth_output.empty(),
+                                    !options.error_output.empty(), scene.channels());
         if (!depths_found.empty()) partial.frame.depth = std::move(depths_found);
     }
     const std::vector<SmallSource> small_sources = small_sources_in(camera, options);
@@ -123,7 +127,7 @@ void PictureSession::render(int number, const View& view, const std::optional<Vi
     }
     progress.finish();
     if (!small_sources.empty()) {
-        Tracer tracer(scene, options.render.settings);
+        Tracer tracer(scene, options.render.settings, options.render.settings.seed);
         tracer.use_irradiance_cache(cache_);
         paint_small_sources(small_sources, camera.view, tracer, size.first_row, partial.frame);
         faults_.add(tracer);

@@ -12,7 +12,12 @@ namespace infra {
 
 PixelTracer::PixelTracer(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
                          Frame& frame)
-    : tracer_(scene, settings), camera_(camera), frame_(frame) {}
+    : tracer_(scene, settings, settings.seed),
+      camera_(camera),
+      frame_(frame),
+      sample_(scene.channel_count()),
+      mean_(scene.channel_count()),
+      deviation_(scene.channel_count()) {}
 
 /// Place within a pixel, 0.5 is its middle.
 double PixelTracer::jittered() { return 0.5 + camera_.pixel_jitter * (0.5 - tracer_.random().uniform()); }
@@ -51,7 +56,7 @@ int PixelTracer::passed_source(int surface) const {
 }
 
 /// What is behind such a source, or beside one that nothing is behind. Returns its distance.
-double PixelTracer::trace_past(const Interaction& source, std::span<float> pixel) {
+double PixelTracer::trace_past(const Interaction& source) {
     constexpr int most_passed = 100;
     Ray ray = *source.ray;
     const double fore = ray.fore;
@@ -77,41 +82,59 @@ double PixelTracer::trace_past(const Interaction& source, std::span<float> pixel
         tracer_.trace(at);
         surface = at.surface;
         if (passed_source(surface) < 0) {
-            for (int c = 0; c < at.channels(); ++c) pixel[c] = at.radiance[c];
+            for (int c = 0; c < at.channels(); ++c) sample_[c] = at.radiance[c];
             return ray.fore - fore + at.apparent_distance();
         }
         step = at.distance;
         leaving = {at.flat_shape, at.placement};
     }
-    std::fill(pixel.begin(), pixel.end(), 0.0f);
+    std::fill(sample_.begin(), sample_.end(), 0.0f);
     return 0;
 }
 
-void PixelTracer::trace(int column, int row) {
-    throw_if_interrupted();
-    Picture& picture = frame_.picture;
-    const std::size_t index = static_cast<std::size_t>(row) * picture.width + column;
-    if (!frame_.traced.empty() && frame_.traced[index]) return;
-    const std::span<float> pixel = picture.at(column, row);
-    std::fill(pixel.begin(), pixel.end(), 0.0f);
-    if (!frame_.depth.empty()) frame_.depth[index] = 0;
-
-    tracer_.start_stream(index);
+/// One ray, which leaves its radiance in sample_. Returns the distance of what it sees; black and 0 where the
+/// view has no ray.
+double PixelTracer::trace_sample(int column, int row, std::uint64_t number) {
+    const Picture& picture = frame_.picture;
+    std::fill(sample_.begin(), sample_.end(), 0.0f);
+    tracer_.start_stream(number);
     const double x = (column + jittered()) / picture.width;
     const double y = (picture.height - 1 - row + jittered()) / picture.height;
     Vec3 origin, direction;
     double reach = 0;
-    if (find_ray(x, y, origin, direction, reach)) {
-        Ray ray = tracer_.primary(origin, direction, std::isfinite(reach) ? reach : 0);
-        ray.fore = camera_.view.fore;
-        Interaction at(ray);
-        tracer_.trace(at);
-        for (int c = 0; c < at.channels(); ++c) pixel[c] = at.radiance[c];
-        double depth = at.apparent_distance();
-        if (passed_source(at.surface) >= 0) [[unlikely]]
-            depth = trace_past(at, pixel);
-        if (!frame_.depth.empty()) frame_.depth[index] = static_cast<float>(depth);
+    if (!find_ray(x, y, origin, direction, reach)) return 0;
+    Ray ray = tracer_.primary(origin, direction, std::isfinite(reach) ? reach : 0);
+    ray.fore = camera_.view.fore;
+    Interaction at(ray);
+    tracer_.trace(at);
+    if (passed_source(at.surface) >= 0) [[unlikely]]
+        return trace_past(at);
+    for (int c = 0; c < at.channels(); ++c) sample_[c] = at.radiance[c];
+    return at.apparent_distance();
+}
+
+// Mean and deviation by Welford's recurrence.
+void PixelTracer::trace(int column, int row) {
+    const std::size_t index = static_cast<std::size_t>(row) * frame_.picture.width + column;
+    if (!frame_.traced.empty() && frame_.traced[index]) return;
+    const auto samples = static_cast<std::uint64_t>(camera_.samples);
+    std::fill(mean_.begin(), mean_.end(), 0.0);
+    std::fill(deviation_.begin(), deviation_.end(), 0.0);
+    for (std::uint64_t s = 0; s < samples; ++s) {
+        throw_if_interrupted();
+        const double depth = trace_sample(column, row, index * samples + s);
+        if (s == 0 && !frame_.depth.empty()) frame_.depth[index] = static_cast<float>(depth);
+        for (std::size_t c = 0; c < sample_.size(); ++c) {
+            const double step = static_cast<double>(sample_[c]) - mean_[c];
+            mean_[c] += step / static_cast<double>(s + 1);
+            deviation_[c] += step * (static_cast<double>(sample_[c]) - mean_[c]);
+        }
     }
+    std::ranges::copy(mean_, frame_.picture.at(column, row).begin());
+    if (!frame_.error.empty())
+        for (std::size_t c = 0; c < sample_.size(); ++c)
+            frame_.error[index * sample_.size() + c] =
+                static_cast<float>(std::sqrt(deviation_[c] / static_cast<double>(samples * (samples - 1))));
     if (!frame_.traced.empty()) frame_.traced[index] = 1;
 }
 

@@ -16,6 +16,7 @@ namespace infra {
 struct Frame {
     Picture picture;
     std::vector<float> depth;  ///< distance a pixel; empty when nobody wants it
+    std::vector<float> error;  ///< standard error of each of the picture's values; empty when nobody wants it
     /// A byte a pixel: 1 if its value was traced, and so is known, not interpolated. Empty when nobody asks.
     std::vector<std::uint8_t> traced;
 };
@@ -29,7 +30,8 @@ struct Camera {
     /// By surface: a light source that its rays pass as if it were not there, or -1. Surfaces beyond the end
     /// are seen.
     std::vector<int> passed_sources;
-    double pixel_jitter = 0;       ///< 0..1, share of the pixel over which its sample is spread
+    double pixel_jitter = 0;  ///< 0..1, share of the pixel over which its sample is spread
+    int samples = 1;          ///< of a pixel, whose mean it is
 };
 
 /// Traces pixels of a frame. The value of a pixel is a function of its place alone: neither the order nor the
@@ -49,14 +51,17 @@ class PixelTracer {
 
   private:
     double jittered();
+    double trace_sample(int column, int row, std::uint64_t number);
     bool find_ray(double x, double y, Vec3& origin, Vec3& direction, double& reach);
     int passed_source(int surface) const;
-    double trace_past(const Interaction& source, std::span<float> pixel);
+    double trace_past(const Interaction& source);
     bool blur_motion(double x, double y, Vec3& origin, Vec3& direction, double& reach);
 
     Tracer tracer_;
     const Camera& camera_;
     Frame& frame_;
+    std::vector<float> sample_;             // the last one
+    std::vector<double> mean_, deviation_;  // of a pixel's samples: mean, sum of squares of deviations
 };
 
 }  // namespace infra

@@ -34,7 +34,8 @@ class RaySession {
           output_(output),
           workers_(spec.has_tree() ? 1 : options.threads) {
         for (int i = 0; i < workers_.count(); ++i)
-            tracers_.push_back(std::make_unique<Tracer>(scene, options.render.settings));
+            tracers_.push_back(
+                std::make_unique<Tracer>(scene, options.render.settings, options.render.settings.seed));
         for (const auto& tracer : tracers_) tracer->use_irradiance_cache(cache);
         // A person who types rays wants each one answered.
         if (!isatty(fileno(input)))

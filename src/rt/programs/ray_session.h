@@ -11,7 +11,7 @@ namespace infra {
 /// Answers every ray of `input` on `output`.
 ///   cache   of diffuse interreflection, nullptr: none
 ///   throws  Error when the output cannot be written
-void answer_rays(const CompiledScene& scene, IrradianceCache* cache, const RtraceOptions& options, const OutputSpec& spec,
-                 std::FILE* input, std::FILE* output, const WarningSink& warn);
+void answer_rays(const CompiledScene& scene, IrradianceCache* cache, const RtraceOptions& options,
+                 const OutputSpec& spec, std::FILE* input, std::FILE* output, const WarningSink& warn);
 
 }  // namespace infra

@@ -22,7 +22,7 @@ struct Painter {
 
 }  // namespace
 
-Frame empty_frame(int width, int height, bool with_depth, const Channels& channels) {
+Frame empty_frame(int width, int height, bool with_depth, bool with_error, const Channels& channels) {
     Frame frame;
     const std::size_t pixels = static_cast<std::size_t>(width) * height;
     frame.picture.width = width;
@@ -31,6 +31,7 @@ Frame empty_frame(int width, int height, bool with_depth, const Channels& channe
     frame.picture.space = channels.is_rgb() ? ColorSpace::rgb : ColorSpace::spectrum;
     frame.picture.pixels.resize(pixels * channels.count());
     if (with_depth) frame.depth.resize(pixels);
+    if (with_error) frame.error.resize(frame.picture.pixels.size());
     frame.traced.resize(pixels);
     return frame;
 }

@@ -18,7 +18,7 @@ struct FrameOptions {
 };
 
 /// A frame in which nothing is known yet.
-Frame empty_frame(int width, int height, bool with_depth, const Channels& channels);
+Frame empty_frame(int width, int height, bool with_depth, bool with_error, const Channels& channels);
 
 /// Renders a view that is set up. The same bits for any number of workers if there is no
 /// cache; what one holds depends on which worker comes first.

@@ -215,6 +215,19 @@ void add_photon_rows(OptionTable& table, RenderSettings& settings) {
         .differing("no effect: maps are held in memory");
 }
 
+void add_seed_row(OptionTable& table, RenderSettings& settings) {
+    table
+        .custom(
+            "-seed", "i",
+            [&settings](const OptionValues& given) {
+                settings.seed = static_cast<std::uint64_t>(given.integer(0));
+            },
+            "number of the random streams: another one, other noise")
+        .named("number")
+        .at_least(0)
+        .ours();
+}
+
 void add_refused_rows(OptionTable& table) { table.unsupported("-features", "", "-help lists what there is"); }
 
 }  // namespace
@@ -274,6 +287,7 @@ void add_render_options(OptionTable& table, RenderOptions& options) {
     add_definition_rows(table, options);
     add_persistence_rows(table, options);
     add_photon_rows(table, settings);
+    add_seed_row(table, settings);
     add_refused_rows(table);
 }
 

@@ -34,6 +34,16 @@ std::optional<int> recovered_number(const RpictOptions& options) {
 void check(const RpictOptions& options, const std::vector<std::string>& operands) {
     if (operands.size() > 1)
         throw Error("command line error at '" + operands.front() + "': one octree at a time");
+    if (!options.error_output.empty()) {
+        if (options.samples_per_pixel < 2)
+            throw Error("-se needs -spp 2 or more", "a single sample tells nothing of its error");
+        if (!options.error_output.ends_with(".exr"))
+            throw Error(Location{options.error_output}, "standard errors are written as OpenEXR",
+                        "give a name that ends in .exr");
+        if (options.color.kind == OutputColor::Kind::xyz ||
+            options.color.kind == OutputColor::Kind::primaries)
+            throw Error("-se gives the errors of the scene's own channels", "leave -pXYZ and -pc out");
+    }
     if (options.is_sequence() && operands.empty())
         throw Error("missing octree argument", "views are read from the standard input");
     if (!options.render.persist_file.empty()) {

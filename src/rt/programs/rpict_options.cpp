@@ -18,6 +18,12 @@ void add_pixel_rows(OptionTable& table, RpictOptions& options) {
         .differing("in a parallel view the lens moves along with the ray");
     table.integer("-ps", &options.sample_spacing, "pixel sample");
     table.real("-pt", &options.sample_contrast, "pixel threshold");
+    table
+        .integer("-spp", &options.samples_per_pixel,
+                 "samples of every pixel, whose mean it is, in place of -ps and -pt; 0: none")
+        .at_least(0)
+        .unlisted()
+        .ours();
 }
 
 void add_output_rows(OptionTable& table, RpictOptions& options) {
@@ -32,6 +38,11 @@ void add_output_rows(OptionTable& table, RpictOptions& options) {
             "other "
             "formats are refused");
     table.text("-z", &options.depth_output, "file for the distances of the pixels, raw floats").named("file");
+    table
+        .text("-se", &options.error_output,
+              "file for the standard errors of the pixels' values, .exr; needs -spp 2 or more")
+        .named("file.exr")
+        .ours();
     table
         .custom(
             "-S", "i", [&options](const OptionValues& given) { options.first_number = given.integer(0); },

@@ -18,6 +18,7 @@ struct RpictOptions {
     double motion_blur = 0;         ///< -pm: share of the time between two pictures that the shutter is open
     double lens_diameter = 0;       ///< -pd: aperture, scene units
     double pixel_jitter = 0.67;     ///< -pj: share of a pixel over which its sample is spread
+    int samples_per_pixel = 0;      ///< -spp: of every pixel, 0: one where -ps and -pt want it
     int sample_spacing = 4;         ///< -ps: pixels between samples where nothing changes
     double sample_contrast = 0.05;  ///< -pt: relative difference that asks for samples in between
     int report_seconds = 0;         ///< -t
@@ -25,6 +26,7 @@ struct RpictOptions {
     OutputColor color;              ///< -p, -co
     std::string output;             ///< -o: empty means the standard output
     std::string depth_output;       ///< -z
+    std::string error_output;       ///< -se
     int first_number = 0;           ///< -S: of the first picture of a sequence; 0 or less: there is none
     std::string recover;            ///< -r, -ro: an unfinished picture, or with -S its number
 
