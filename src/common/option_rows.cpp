@@ -174,12 +174,6 @@ OptionRow& OptionTable::unsupported(std::string spelling, std::string pattern, s
     return row;
 }
 
-OptionRow& OptionTable::unsupported_attached(std::string spelling, std::string pattern, std::string reason) {
-    OptionRow& row = unsupported(std::move(spelling), std::move(pattern), std::move(reason));
-    row.form = OptionRow::Form::attached;
-    return row;
-}
-
 void OptionTable::describe(std::string description) { description_ = std::move(description); }
 
 void OptionTable::take_words_literally() { literal_ = true; }

@@ -4,7 +4,7 @@
 //     OptionTable options("rpict");
 //     options.real("-dt", &settings.direct_threshold, "direct threshold");
 //     options.toggle("-u", &settings.uncorrelated, "uncorrelated sampling", "correlated sampling");
-//     options.unsupported("-am", "f", "photon maps are not built yet");
+//     options.unsupported("-features", "", "-help lists what there is");
 //     const auto operands = options.parse(argc, argv);
 //     if (!operands) return 0;  // -defaults, -help or -version was answered
 #pragma once
@@ -107,7 +107,6 @@ class OptionTable {
     /// An option that RADIANCE has and we don't yet: refused by name, with the reason.
     OptionRow& unsupported(std::string spelling, std::string pattern, std::string reason);
     /// The same for options with letters joined on (-apX).
-    OptionRow& unsupported_attached(std::string spelling, std::string pattern, std::string reason);
 
     /// What the program does, in lines of -help between the usage and the options.
     void describe(std::string description);

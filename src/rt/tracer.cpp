@@ -329,14 +329,18 @@ int Tracer::lobe_ray_count(const Lobe& lobe, const Interaction& at) const {
 
 void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     Ray child(at.channels());
-    if (!spawn(child, lobe.kind, at, &lobe.coefficient)) return;
     const int count = lobe_ray_count(lobe, at);
+    std::optional<GuidedShare> guided;
+    if (guide_ && lobe.exact(count)) guided.emplace(*this, at.point, at.weight);
+    if (!spawn(child, lobe.kind, at, &lobe.coefficient)) {
+        const bool by_chance = settings_.max_reflections <= 0;
+        if (guided && by_chance) guide_lobe(lobe, count, *guided, at);
+        return;
+    }
     if (count > 1) {
         child.coefficient *= 1.0f / static_cast<float>(count);
         child.weight /= count;
     }
-    std::optional<GuidedShare> guided;
-    if (guide_ && lobe.exact(count)) guided.emplace(*this, at.point, at.weight);
     Spectrum sum(at.channels()), tint(at.channels(), 1.0f);
     const int most_draws = lobe.redraws ? count * Lobe::most_redraws : count;
     int draws = 0, traced = 0;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "rt/guiding/hot_spots.h"
+#include "test_tables.h"
 #include "traced_scene.h"
 
 namespace infra::test {
@@ -179,6 +180,21 @@ TEST_F(GuidedRays, LeaveTheMeanOfLobes) {
     expect_same(blind, aimed);
     const Estimate few = seen(0, sheet, base, 2000);
     EXPECT_LT(aimed.error, 0.5 * few.error);
+}
+
+// Russian roulette may end all rays that are not guided: those that are carry on for their share.
+TEST_F(GuidedRays, LeaveTheMeanWhereRouletteEndsMostRays) {
+    const std::string dark = "void plastic soot 0 0 5 .1 .1 .1 0 0 soot ring spot 0 0 8 0 0 .01 0 0 1 0 .5\n";
+    RenderSettings base = bounce_settings(64);
+    base.max_reflections = -10;
+    RenderSettings rough = base;
+    rough.min_weight = 0.5;
+    expect_same(seen(8, dark, base, 4000), seen(8, dark, rough, 40000));
+    base.ambient_bounces = rough.ambient_bounces = 0;
+    const TemporaryFolder folder;
+    const std::string table = words("void nrlbrdf paint 1", write_tables(folder)[0].path,
+                                    "0 5 .3 .3 .3 1 .3\n", "paint ring sheet 0 0 8 0 0 .02 0 0 1 0 .5\n");
+    expect_same(seen(4, table, base, 4000), seen(4, table, rough, 40000));
 }
 
 }  // namespace

@@ -116,6 +116,9 @@ TEST(XformRepetition, ArgumentFiles) {
                                                                        "xform -n \"b c.1\" -rx 90 x"}));
     EXPECT_THROW(calls_of("-f"), Error);
     EXPECT_THROW(calls_of("-f /no/such/file x"), Error);
+    const std::string itself = testing::TempDir() + "names_itself.txt";
+    std::ofstream(itself) << "-t 1 0 0 -f " << itself << "\n";
+    EXPECT_THROW(calls_of("-f " + itself), Error);
 }
 
 TEST(XformSettings, WhatIsNoOption) {

@@ -19,7 +19,7 @@ bool move_on_lens(const View& view, double diameter, const std::array<double, 3>
     if (!flat) point += view.direction * (std::numbers::pi / 4 * diameter * (0.5 - chance[2]));
     const Vec3 to_focus = in_focus - point;
     const double distance = length(to_focus);
-    if (!(distance > 0)) return false;
+    if (!(distance > 0) || !std::isfinite(distance)) return false;
     direction = to_focus / distance;
     const double fore =
         view.type == ViewType::perspective ? view.fore / dot(direction, view.direction) : view.fore;

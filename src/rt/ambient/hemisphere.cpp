@@ -97,7 +97,9 @@ void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool o
                         .share = coefficient,
                         .ray = Ray(at.channels())};
         Spectrum sum(at.channels());
-        if (sample_hemisphere(half, at, sum)) {
+        const bool traced = sample_hemisphere(half, at, sum);
+        const bool by_chance = settings_.max_reflections <= 0;  // that no ray was traced
+        if (traced || (half.guided && by_chance)) {
             if (half.guided) guide_hemisphere(half, coefficient, at, sum);
             // What lies in the direction that a normal turns away from takes no more than there is.
             for (int c = 0; half.tilt && c < sum.channels(); ++c) sum.set(c, std::max(0.0f, sum[c]));

@@ -67,7 +67,8 @@ HemisphereGatherer::Outcome HemisphereGatherer::gather(const CacheLimits& limits
     view_.cells.assign(static_cast<std::size_t>(cell_count), HemisphereCell{Spectrum(at_.channels())});
     view_.corners.assign(static_cast<std::size_t>(cell_count), MeshCorner{Vec3(0), 0, 0});
     const int traced = trace_grid();
-    if (traced == 0) return Outcome::nothing;
+    const bool by_chance = tracer_.settings_.max_reflections <= 0;  // that no ray was traced
+    if (traced == 0 && !(guided_ && by_chance)) return Outcome::nothing;
     if (traced == cell_count) trace_more();
     value.radiance.clear();
     for (const HemisphereCell& cell : view_.cells) value.radiance += cell.mean;

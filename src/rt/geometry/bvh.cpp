@@ -9,6 +9,9 @@
 namespace infra {
 namespace {
 
+/// Of lanes without a child: no ray that is none of numbers, which meets every box, may go round in circles.
+constexpr std::int32_t empty_leaf = ~0;
+
 constexpr int bin_count = 16;
 constexpr int leaf_size = 2;
 constexpr int deepest = 60;  // of the binary tree; a walk's stack holds three entries a level
@@ -158,7 +161,7 @@ struct Bvh::Builder {
         const auto index = static_cast<std::int32_t>(bvh.nodes_.size());
         bvh.nodes_.emplace_back();
         for (int i = 0; i < 4; ++i) {
-            std::int32_t child = 0;
+            std::int32_t child = empty_leaf;
             if (i < count) {
                 Range left, right;
                 const bool inner = !is_leaf[i] && split(children[i], left, right);
@@ -223,12 +226,13 @@ void Bvh::build(std::vector<Item> items) {
     Builder::Range left, right;
     nodes_.reserve(item_count / 2 + 1);  // more than is needed mostly; what is not touched takes no memory
     items_.reserve(item_count + item_count / 2);
+    items_.push_back(end_of_leaf);  // the empty leaf
     if (builder.split(all, left, right)) {
         builder.make_node(left, right);
     } else {
         nodes_.emplace_back();
         builder.set_child(nodes_[0], 0, whole, builder.make_leaf(all));
-        for (int lane = 1; lane < 4; ++lane) builder.set_child(nodes_[0], lane, FloatBox{}, 0);
+        for (int lane = 1; lane < 4; ++lane) builder.set_child(nodes_[0], lane, FloatBox{}, empty_leaf);
     }
 }
 

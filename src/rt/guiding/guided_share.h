@@ -23,7 +23,9 @@ class GuidedShare {
     }
     /// Factor on a ray that was not guided (balance heuristic).
     double weight_of_others(const Vec3& wi, double others) const {
-        return count_ == 0 ? 1.0 : others / total(wi, others);
+        if (count_ == 0) return 1.0;
+        const double all = total(wi, others);
+        return all > 0 ? others / all : 1.0;
     }
 
   private:

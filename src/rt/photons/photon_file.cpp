@@ -105,6 +105,8 @@ PhotonMap read_photon_map(const std::string& path) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) throw Error("cannot open photon map \"" + path + "\": " + std::strerror(errno));
     const auto file_bytes = bytes_in(file.get());
+    if (!file_bytes)
+        throw Error(Location{path}, "a photon map cannot come from a pipe", "write it to a file first");
     ByteReader in(file.get(), path, file_kind);
     const PhotonKind kind = read_kind(in);
     if (const std::string found = in.string(64); found != version)
@@ -121,7 +123,7 @@ PhotonMap read_photon_map(const std::string& path) {
     const std::uint64_t needed =
         primary_rays * source_number_bytes + static_cast<std::uint64_t>(count) * record_bytes;
     // Before any memory is asked for
-    if (file_bytes && *file_bytes < needed) in.fail("truncated photon map");
+    if (*file_bytes < needed) in.fail("truncated photon map");
     for (std::uint64_t i = 0; i < primary_rays; ++i) in.integer(source_number_bytes);
     PhotonMap map(kind, static_cast<std::size_t>(count), spread2);
     read_photons(in, map);

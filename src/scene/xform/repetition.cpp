@@ -11,6 +11,10 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+constexpr int deepest_nesting = 64;  // of -f within the lines of -f
+
+void expand(const Words& words, const RepetitionSink& sink, int nesting);
+
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// Words of one line of a -f file: quotes around a word hold blanks together, a backslash before it takes its
@@ -81,9 +85,12 @@ Words named_for_element(Words words, int number) {
     return words;
 }
 
-void for_each_line(const Words& words, std::size_t file, const RepetitionSink& sink) {
+void for_each_line(const Words& words, std::size_t file, const RepetitionSink& sink, int nesting) {
     if (file >= words.size() || (words[file][0] == '-' && words[file] != "-"))
         throw Error("command line error at '-f'", "a file name, or - for the standard input, must follow");
+    if (nesting > deepest_nesting)
+        throw Error("argument files name one another " + std::to_string(deepest_nesting) + " levels deep",
+                    "does \"" + words[file] + "\" name itself?");
     int number = 0;
     for (const std::string& line : joined_lines(read_text_file(words[file]))) {
         if (line.empty() || line[0] == '#') {
@@ -96,12 +103,12 @@ void for_each_line(const Words& words, std::size_t file, const RepetitionSink& s
         Words call(words.begin(), words.begin() + std::ptrdiff_t(file) - 1);
         for (std::string& word : line_words(rest)) call.push_back(std::move(word));
         call.insert(call.end(), words.begin() + std::ptrdiff_t(file) + 1, words.end());
-        for_each_call(named_for_line(std::move(call), number++), sink);
+        expand(named_for_line(std::move(call), number++), sink, nesting + 1);
     }
     if (number == 0) throw Error("empty argument file \"" + words[file] + "\"");
 }
 
-void for_each_element(const Words& words, std::size_t count_at, const RepetitionSink& sink) {
+void for_each_element(const Words& words, std::size_t count_at, const RepetitionSink& sink, int nesting) {
     int count = 0;
     if (count_at >= words.size() || !parse_int(words[count_at], count) || count <= 0)
         throw Error("command line error at '-a'", "a number of repetitions above 0 must follow");
@@ -109,17 +116,20 @@ void for_each_element(const Words& words, std::size_t count_at, const Repetition
         Words call = words;
         call[count_at - 1] = "-i";
         call[count_at] = std::to_string(i);
-        for_each_call(named_for_element(std::move(call), i), sink);
+        expand(named_for_element(std::move(call), i), sink, nesting);
     }
+}
+
+void expand(const Words& words, const RepetitionSink& sink, int nesting) {
+    if (const std::size_t file = value_of(words, "-f"); file > 0)
+        return for_each_line(words, file, sink, nesting);
+    if (const std::size_t count = value_of(words, "-a"); count > 0)
+        return for_each_element(words, count, sink, nesting);
+    sink.call(words);
 }
 
 }  // namespace
 
-void for_each_call(const Words& words, const RepetitionSink& sink) {
-    if (const std::size_t file = value_of(words, "-f"); file > 0) return for_each_line(words, file, sink);
-    if (const std::size_t count = value_of(words, "-a"); count > 0)
-        return for_each_element(words, count, sink);
-    sink.call(words);
-}
+void for_each_call(const Words& words, const RepetitionSink& sink) { expand(words, sink, 0); }
 
 }  // namespace infra::xform

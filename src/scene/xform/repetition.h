@@ -16,7 +16,7 @@ struct RepetitionSink {
 /// Takes the first -f (each line of a file, or of the standard input for "-", stands in its place) or else
 /// the first -a (repeated 0, 1 .. n-1 times) apart, and so on until none is left. Each gets a name of its own
 /// in -n.
-///   throws  Error for a missing file or count
+///   throws  Error for a missing file or count, and for files that name one another without end
 void for_each_call(const std::vector<std::string>& words, const RepetitionSink& sink);
 
 }  // namespace infra::xform
