@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "rt/guiding/cone_direction.h"
+
 namespace infra {
 namespace {
 
@@ -56,12 +58,8 @@ Vec3 Lookout::sample(RandomStream& random) const {
     while (chosen + 1 < count_ && u >= chance_[static_cast<std::size_t>(chosen)])
         u -= chance_[static_cast<std::size_t>(chosen++)];
     const Cone& cone = cones_[static_cast<std::size_t>(chosen)];
-    const double turn = 2 * pi * std::min(u / chance_[static_cast<std::size_t>(chosen)], 1.0);
-    const double below = v * (1 - cone.least_cosine);  // 1 less the cosine: exact for small cones
-    const double across = std::sqrt(below * (2 - below));
-    Vec3 x, y;
-    make_frame(cone.axis, x, y);
-    return x * (across * std::cos(turn)) + y * (across * std::sin(turn)) + cone.axis * (1 - below);
+    const double turn = std::min(u / chance_[static_cast<std::size_t>(chosen)], 1.0);
+    return cone_direction(cone.axis, cone.least_cosine, turn, v);
 }
 
 double Lookout::pdf(const Vec3& direction) const {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rt/compile/compiled_scene.h"
+#include "rt/guiding/cone_direction.h"
 #include "rt/guiding/guide.h"
 #include "rt/guiding/hot_spots.h"
 #include "rt/tracer.h"
@@ -63,10 +64,8 @@ class GuideBuilder {
     }
 
     Vec3 random_direction() {
-        const double height = 1 - 2 * tracer_.random().uniform();
-        const double turn = 2 * pi * tracer_.random().uniform();
-        const double across = std::sqrt(std::max(0.0, 1 - height * height));
-        return {across * std::cos(turn), across * std::sin(turn), height};
+        const double u = tracer_.random().uniform(), v = tracer_.random().uniform();
+        return cone_direction(Vec3(0, 0, 1), -1, u, v);
     }
 
     /// Of all directions, seen from places all over the scene.
@@ -108,17 +107,12 @@ class GuideBuilder {
         for (const int number : scene_.distant_sources()) {
             const LightSource& source = scene_.source(number);
             if (!is_sun(source) || found.size() == Guide::most_spots / 2) continue;
-            Vec3 x, y;
-            make_frame(source.center, x, y);
             tracer_.start_stream(1 + static_cast<std::uint64_t>(number));
             double sum = 0;
             for (int i = 0; i < looks_at_a_sun; ++i) {
-                const double below = tracer_.random().uniform() * (1 - source.least_cosine);
-                const double turn = 2 * pi * tracer_.random().uniform(),
-                             across = std::sqrt(below * (2 - below));
+                const double u = tracer_.random().uniform(), v = tracer_.random().uniform();
                 const Ray ray =
-                    gathering_ray(Vec3(0), x * (across * std::cos(turn)) + y * (across * std::sin(turn)) +
-                                               source.center * (1 - below));
+                    gathering_ray(Vec3(0), cone_direction(source.center, source.least_cosine, u, v));
                 Interaction at(ray);
                 tracer_.view_sky(at);
                 sum += static_cast<double>(at.radiance.brightness());

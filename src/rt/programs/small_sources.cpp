@@ -59,13 +59,6 @@ std::vector<Vec3> around(const Vec3& center, const Vec3& u, const Vec3& v) {
     return corners;
 }
 
-/// Unit vectors across a direction.
-void axes_across(const Vec3& direction, Vec3& u, Vec3& v) {
-    const Vec3 other = std::abs(direction.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-    u = normalize(cross(direction, other));
-    v = cross(direction, u);
-}
-
 /// Points of the scene along the outline of a source as the view has it; none where it has none.
 std::vector<Vec3> outline_of(const LightSource& source, const View& view, bool& is_exact) {
     const bool parallel = view.type == ViewType::parallel;
@@ -73,7 +66,7 @@ std::vector<Vec3> outline_of(const LightSource& source, const View& view, bool& 
     Vec3 u, v;
     if (source.distant()) {
         if (parallel || view.aft > 0) return {};
-        axes_across(source.center, u, v);
+        make_frame(source.center, u, v);
         const double cosine = source.least_cosine, sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
         const double far = 1 + 2 * view.fore;
         std::vector<Vec3> corners = around(cosine * source.center, sine * u, sine * v);
@@ -88,7 +81,7 @@ std::vector<Vec3> outline_of(const LightSource& source, const View& view, bool& 
         case LightSource::Extent::sphere: {
             // Where straight lines from the eye touch it.
             const double sine = parallel ? 0 : source.radius / distance;
-            axes_across(ahead, u, v);
+            make_frame(ahead, u, v);
             const double radius = source.radius * std::sqrt(1 - sine * sine);
             return around(source.center - ahead * (source.radius * sine), radius * u, radius * v);
         }
