@@ -11,6 +11,8 @@ namespace {
 
 using test::error_of;
 
+const Channels four_bands = Channels::spectral(4, 8000, 12000);
+
 /// Every third pixel of 5 x 4 is known, in 4 channels and depth, below one row of colors.
 PartialFrame example() {
     PartialFrame partial;
@@ -41,7 +43,7 @@ TEST(PartialFrame, comes_back_to_the_last_bit) {
     const PartialFrame written = example();
     write_partial(folder.path("p"), written, {"rpict -x 5", "SOFTWARE= x"});
     EXPECT_TRUE(is_partial(folder.path("p")));
-    const PartialFrame read = read_partial(folder.path("p"));
+    const PartialFrame read = read_partial(folder.path("p"), four_bands);
     EXPECT_EQ(read.width, 5);
     EXPECT_EQ(read.height, 4);
     EXPECT_EQ(read.pixel_aspect, 1.25);
@@ -64,8 +66,58 @@ TEST(PartialFrame, is_no_picture_for_others) {
               std::string::npos);
     folder.write("q", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n");
     EXPECT_FALSE(is_partial(folder.path("q")));
-    EXPECT_NE(error_of([&] { read_partial(folder.path("q")); }), "no error");
-    EXPECT_NE(error_of([&] { read_partial(folder.path("none")); }), "no error");
+    EXPECT_NE(error_of([&] { read_partial(folder.path("q"), four_bands); }), "no error");
+    EXPECT_NE(error_of([&] { read_partial(folder.path("none"), four_bands); }), "no error");
+}
+
+/// The error for a file whose first bytes of this value are replaced.
+template <class Value>
+std::string error_with(const PartialFrame& partial, Value written, Value replaced) {
+    const test::Folder folder;
+    write_partial(folder.path("p"), partial, {});
+    std::string bytes = folder.read("p");
+    const std::size_t values = bytes.find('\n', bytes.find("-Y ")) + 1;
+    const std::string_view wanted(reinterpret_cast<const char*>(&written), sizeof written);
+    const std::size_t at = bytes.find(wanted, values);
+    EXPECT_NE(at, std::string::npos);
+    bytes.replace(at, sizeof replaced, reinterpret_cast<const char*>(&replaced), sizeof replaced);
+    folder.write("p", bytes);
+    return error_of([&] { read_partial(folder.path("p"), four_bands); });
+}
+
+TEST(PartialFrame, is_refused_without_rays) {
+    const PartialFrame partial = example();
+    const View& view = partial.view;
+    for (const double number : {view.image_width, view.image_height})
+        EXPECT_NE(error_with(partial, number, 0.0).find("no view in it"), std::string::npos);
+    for (const Vec3& vector : {view.direction, view.image_x, view.image_y})
+        EXPECT_NE(error_with(partial, vector, Vec3{0, 0, 0}).find("no view in it"), std::string::npos);
+    EXPECT_EQ(error_with(partial, view.direction, view.direction), "no error");
+}
+
+TEST(PartialFrame, asks_for_no_more_memory_than_its_picture_needs) {
+    struct Sizes {
+        int width, height, channels;
+    };
+    const Sizes sizes{5, 4, 4};
+    EXPECT_NE(error_with(example(), sizes, Sizes{5, 4, 4096}).find("-cs and -cw"), std::string::npos);
+    constexpr int spectrum = static_cast<int>(ColorSpace::spectrum), rgb = static_cast<int>(ColorSpace::rgb);
+    struct Kind {
+        int channels, space;
+    };
+    EXPECT_NE(error_with(example(), Kind{4, spectrum}, Kind{4, rgb}).find("-cs and -cw"), std::string::npos);
+    // All of a large picture traced, and no values.
+    PartialFrame large;
+    large.view = example().view;
+    large.width = large.height = 1000;
+    large.frame.picture = {.width = 1000, .height = 1000, .channels = 24, .space = ColorSpace::spectrum};
+    const test::Folder folder;
+    write_partial(folder.path("p"), large, {});
+    folder.write("p", folder.read("p") + std::string(1'000'000, 1));
+    EXPECT_NE(error_of([&] {
+                  read_partial(folder.path("p"), Channels::spectral(24, 8000, 9000));
+              }).find("cut short"),
+              std::string::npos);
 }
 
 TEST(PartialFrame, is_refused_when_damaged) {
@@ -75,16 +127,16 @@ TEST(PartialFrame, is_refused_when_damaged) {
     const std::string whole = folder.read("p");
     for (std::size_t size = 0; size < whole.size(); ++size) {
         folder.write("p", whole.substr(0, size));
-        EXPECT_NE(error_of([&] { read_partial(path); }), "no error") << size;
+        EXPECT_NE(error_of([&] { read_partial(path, four_bands); }), "no error") << size;
     }
     folder.write("p", whole + "x");
-    EXPECT_NE(error_of([&] { read_partial(path); }), "no error");
+    EXPECT_NE(error_of([&] { read_partial(path, four_bands); }), "no error");
     std::mt19937 random(1);
     for (int i = 0; i < 300; ++i) {  // no crash, whatever comes of it
         std::string bytes = whole;
         bytes[random() % bytes.size()] = char(random());
         folder.write("p", bytes);
-        error_of([&] { read_partial(path); });
+        error_of([&] { read_partial(path, four_bands); });
     }
 }
 

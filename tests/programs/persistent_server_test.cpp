@@ -78,7 +78,7 @@ TEST_F(Persistent, commands_started_together_load_the_scene_once) {
         run("for i in 1 2 3 4; do rtrace -h- -PP p sky.oct < ray & done; wait; grep -c '^rtrace ' p");
     EXPECT_EQ(result.out, std::string(value) + value + value + value + "1\n");
     EXPECT_EQ(result.err, "rtrace: warning - no light sources found\n");  // said by whoever loads it
-    end("p", "INT");
+    end("p", "TERM");  // a shell's background commands ignore INT
 }
 
 TEST_F(Persistent, a_command_that_is_killed_takes_its_work_along) {
@@ -96,6 +96,45 @@ TEST_F(Persistent, a_dead_servers_file_is_taken_over) {
     EXPECT_EQ(run("rtrace -h- -PP p sky.oct < ray").out, value);
     EXPECT_EQ(run("rtrace -PP p < ray").out, value);
     end("p");
+}
+
+TEST_F(Persistent, commands_without_streams_are_served) {
+    for (int i = 0; i < 2; ++i) {  // the one that leaves a server, and one that it serves
+        const Outcome result = run("timeout 20 rtrace -h- -w -PP p sky.oct <&-");
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.status, 0) << result.err;
+    }
+    EXPECT_EQ(run("rtrace -h- -PP p < ray").out, value);
+    end("p", "TERM");
+}
+
+TEST_F(Persistent, nobody_waits_for_the_server) {
+    const Outcome result =
+        run("rtrace -h- -w -PP p sky.oct < ray 7> held | cat; ls -l /proc/"
+            "$(awk '{print $2; exit}' p)/fd | grep -c -e held -e pipe:");
+    EXPECT_EQ(result.out, std::string(value) + "0\n");
+    EXPECT_EQ(run("rtrace -h- -PP p < ray").out, value);
+    end("p", "TERM");
+}
+
+TEST_F(Persistent, no_folder_is_left_when_there_can_be_no_server) {
+    const std::string deep = std::string(60, 'a') + "/" + std::string(60, 'b');
+    const Outcome named =
+        run("mkdir -p " + deep + "; TMPDIR=$PWD/" + deep + " rtrace -w -PP p sky.oct < ray; ls -A " + deep);
+    EXPECT_NE(named.err.find("is too long"), std::string::npos) << named.err;
+    EXPECT_EQ(named.out, "");
+    const Outcome full =
+        run("mkdir t; (trap '' XFSZ; ulimit -f 0; TMPDIR=$PWD/t rtrace -w -PP p sky.oct < ray "
+            "2>&1) | cat; ls -A t");
+    EXPECT_TRUE(full.out.starts_with("rtrace: cannot write persist file")) << full.out;
+    EXPECT_EQ(std::count(full.out.begin(), full.out.end(), '\n'), 1) << full.out;
+    EXPECT_FALSE(folder.has("p"));
+}
+
+TEST_F(Persistent, signals_that_were_ignored_stay_so) {
+    ASSERT_EQ(run("trap '' HUP; rtrace -h- -PP p sky.oct < ray").out, value);
+    EXPECT_EQ(run("kill -HUP $(awk '{print $2; exit}' p); sleep .2; rtrace -h- -PP p < ray").out, value);
+    end("p", "TERM");
 }
 
 TEST_F(Persistent, refuses_what_cannot_be) {

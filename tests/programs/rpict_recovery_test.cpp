@@ -109,6 +109,30 @@ TEST_F(RpictRecovery, of_radiances_scanlines_goes_on_below_them) {
     EXPECT_FALSE(folder.has("p.hdr.partial"));
 }
 
+TEST_F(RpictRecovery, keeps_the_picture_whatever_its_name) {
+    const std::string rpict = "rpict -x 4 -y 4 ";
+    ASSERT_EQ(run(rpict + "room.oct > p.hdr").status, 0);
+    const Picture whole = read("p.hdr");
+    ASSERT_EQ(run(rpict + "-r ./p.hdr -o p.hdr room.oct && ln -s p.hdr link.hdr && " + rpict +
+                  "-r link.hdr -o p.hdr room.oct && " + rpict + "-r p.hdr -o link.hdr room.oct")
+                  .status,
+              0);
+    ASSERT_TRUE(folder.has("p.hdr"));
+    EXPECT_TRUE(folder.has("link.hdr"));
+    EXPECT_EQ(read("p.hdr").pixels, whole.pixels);
+}
+
+TEST_F(RpictRecovery, refuses_rows_of_another_kind_at_once) {
+    // Stopped while it finished another's rows of RGB.
+    ASSERT_EQ(run("rpict -x 40 -y 30 -ps 1 room.oct > p.hdr").status, 0);
+    folder.write("p.hdr", folder.read("p.hdr").substr(0, 1000));
+    ASSERT_EQ(stop("rpict -t 1000 -ab 2 -aa 0 -ad 9000 -as 0 -ro p.hdr room.oct", "0").status, 3);
+    ASSERT_TRUE(folder.has("p.hdr.partial"));
+    EXPECT_NE(complaint("-pXYZ -ro p.hdr room.oct").find("p.hdr.partial: its pixels are of another kind"),
+              std::string::npos);
+    EXPECT_TRUE(folder.has("p.hdr.partial"));
+}
+
 TEST_F(RpictRecovery, of_a_sequence_goes_on_with_the_picture_numbered) {
     folder.write("views", "VIEW= -vp 0 0 0\nVIEW= -vp 1 0 0\nVIEW= -vp 1 0 1\n");
     const std::string rpict = "rpict -S 1 -t 1000 -ab 2 -aa 0 -as 0 -x 40 -y 40 ";

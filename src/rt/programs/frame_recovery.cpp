@@ -24,6 +24,18 @@ ColorSpace output_space(const RpictOptions& options) {
     return options.color.kind == OutputColor::Kind::xyz ? ColorSpace::xyz : ColorSpace::rgb;
 }
 
+/// Rows that another program or run has finished go into the picture as they are.
+void require_same_kind(const std::string& path, const Picture& rows, const RpictOptions& options,
+                       const Channels& channels) {
+    const ColorSpace space = channels.is_rgb() && output_space(options) == ColorSpace::spectrum
+                                 ? ColorSpace::rgb
+                                 : output_space(options);
+    const int count = space == ColorSpace::spectrum ? channels.count() : 3;
+    if (rows.space != space || rows.channels != count)
+        throw Error(Location{path}, "its pixels are of another kind than those to be written",
+                    "finish it with the options it was begun with");
+}
+
 /// Distances of the rows that are taken over.
 void read_depths(const std::string& path, std::size_t count, std::vector<float>& depth,
                  const WarningSink& warn) {
@@ -38,13 +50,7 @@ Recovery recover_rows(const std::string& path, const RpictOptions& options, cons
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
     if (!file) throw Error("cannot read recover file \"" + path + "\"", {}, Severity::system);
     UnfinishedRows found = read_unfinished_hdr(file.get(), path);
-    const ColorSpace space = channels.is_rgb() && output_space(options) == ColorSpace::spectrum
-                                 ? ColorSpace::rgb
-                                 : output_space(options);
-    if (found.rows.space != space ||
-        (space == ColorSpace::spectrum && found.rows.channels != channels.count()))
-        throw Error(Location{path}, "its pixels are of another kind than those to be written",
-                    "finish it with the options it was begun with");
+    require_same_kind(path, found.rows, options, channels);
     Recovery recovery;
     recovery.path = path;
     PartialFrame& partial = recovery.partial;
@@ -74,11 +80,9 @@ Recovery recover_frame(const std::string& path, const RpictOptions& options, con
     Recovery recovery;
     recovery.path = path;
     recovery.view_found = true;
-    recovery.partial = read_partial(path);
+    recovery.partial = read_partial(path, channels);
     const PartialFrame& partial = recovery.partial;
-    if (partial.frame.picture.channels != channels.count())
-        throw Error(Location{path}, "its channels are not those that -cs and -cw ask for",
-                    "finish it with the options it was begun with");
+    if (partial.finished_rows.height > 0) require_same_kind(path, partial.finished_rows, options, channels);
     const auto require_same = [&](const char* option, bool begun_with, bool wanted) {
         if (begun_with != wanted)
             throw Error(Location{path},

@@ -1,11 +1,14 @@
 #include "rt/programs/partial_frame.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <type_traits>
 
 #include "common/atomic_file.h"
@@ -61,11 +64,14 @@ std::array<double, numbers_a_view> numbers_of(const View& v) {
             v.image_height};
 }
 
-View view_of(const std::array<double, numbers_a_view>& n) {
-    View v;
+/// Nothing for numbers whose rays would not be any.
+std::optional<View> view_of(const std::array<double, numbers_a_view>& n) {
+    constexpr double last_letter = 127;
+    if (!std::ranges::all_of(n, [](double number) { return std::isfinite(number); })) return std::nullopt;
+    if (n[0] < 0 || n[0] > last_letter) return std::nullopt;
     const auto type = view_type_of(static_cast<char>(n[0]));
-    if (!type || !std::ranges::all_of(n, [](double number) { return std::isfinite(number); }))
-        throw Error("no view in it");
+    if (!type) return std::nullopt;
+    View v;
     v.type = *type;
     v.point = {n[1], n[2], n[3]};
     v.direction = {n[4], n[5], n[6]};
@@ -75,6 +81,10 @@ View view_of(const std::array<double, numbers_a_view>& n) {
     v.image_x = {n[17], n[18], n[19]};
     v.image_y = {n[20], n[21], n[22]};
     v.image_width = n[23], v.image_height = n[24];
+    const auto points_somewhere = [](const Vec3& d) { return length(d) > 0 && std::isfinite(length(d)); };
+    if (!(v.image_width > 0) || !(v.image_height > 0) || !points_somewhere(v.direction) ||
+        !points_somewhere(v.image_x) || !points_somewhere(v.image_y))
+        return std::nullopt;
     return v;
 }
 
@@ -104,18 +114,25 @@ class PartialReader {
         return ours && read_line(resolution);
     }
 
-    PartialFrame read() {
+    PartialFrame read(const Channels& channels) {
         if (!read_header()) fail("it does not begin as one");
         Preamble start;
         get(&start, 1);
         if (start.magic != magic || start.version != version)
             fail("another version of rpict, or another kind of machine, has made it");
         check(start);
+        const ColorSpace space = channels.is_rgb() ? ColorSpace::rgb : ColorSpace::spectrum;
+        if (start.channels != channels.count() || start.space != static_cast<int>(space))
+            throw Error(Location{path_}, "its channels are not those that -cs and -cw ask for",
+                        "finish it with the options it was begun with");
         PartialFrame partial;
         std::array<double, numbers_a_view> view;
         get(view.data(), view.size());
-        partial.view = view_of(view);
         get(&partial.pixel_aspect, 1);
+        const std::optional<View> found = view_of(view);
+        if (!found || !std::isfinite(partial.pixel_aspect) || partial.pixel_aspect < 0)
+            fail("there is no view in it");
+        partial.view = *found;
         partial.width = start.width;
         partial.height = start.height;
         read_rows(start, partial.finished_rows);
@@ -174,10 +191,24 @@ class PartialReader {
         read_values(rows.pixels, std::size_t(rows.width) * rows.height * rows.channels);
     }
 
+    /// Whether the file holds what follows for so many pixels, before there is memory for them.
+    void require_values(const Preamble& start, std::size_t pixels) {
+        const std::size_t values =
+            std::size_t(start.channels) * (start.has_error ? 2 : 1) + (start.has_depth ? 1 : 0);
+        const off_t here = ftello(file_.get());
+        struct stat status {};
+        if (here < 0 || fstat(fileno(file_.get()), &status) != 0)
+            throw Error("cannot read \"" + path_ + "\": " + std::strerror(errno), {}, Severity::system);
+        if (status.st_size < here ||
+            static_cast<std::size_t>(status.st_size - here) < pixels * values * sizeof(float))
+            fail("it is cut short");
+    }
+
     void read_frame(const Preamble& start, Frame& frame) {
         const std::size_t pixels = std::size_t(start.width) * start.height;
         std::vector<std::uint8_t> traced;
         read_values(traced, pixels);
+        require_values(start, pixels - static_cast<std::size_t>(std::ranges::count(traced, 0)));
         frame.picture.width = start.width;
         frame.picture.height = start.height;
         frame.picture.channels = start.channels;
@@ -245,6 +276,8 @@ void write_partial(const std::string& path, const PartialFrame& partial,
 
 bool is_partial(const std::string& path) { return PartialReader(path).read_header(); }
 
-PartialFrame read_partial(const std::string& path) { return PartialReader(path).read(); }
+PartialFrame read_partial(const std::string& path, const Channels& channels) {
+    return PartialReader(path).read(channels);
+}
 
 }  // namespace infra

@@ -37,7 +37,9 @@ void write_partial(const std::string& path, const PartialFrame& partial,
 /// Whether a file begins as one.
 bool is_partial(const std::string& path);
 
-/// throws Error for a file that is missing, damaged, or from a machine that stores numbers otherwise
-PartialFrame read_partial(const std::string& path);
+/// channels  of the picture to be, which bounds the memory that a damaged file can ask for
+/// throws    Error for a file that is missing, damaged, from a machine that stores numbers otherwise, or of
+///           other channels
+PartialFrame read_partial(const std::string& path, const Channels& channels);
 
 }  // namespace infra

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "common/error.h"
@@ -32,6 +34,13 @@ constexpr int status_of_a_killed_child = 3;
 constexpr std::array<int, 3> ending_signals{SIGHUP, SIGINT, SIGTERM};
 constexpr int stream_count = 3;
 
+/// A stream that the command was started without must not become a socket or file of ours. It stays one that
+/// nothing comes from and that cannot be written to.
+void open_missing_streams() {
+    for (int stream = 0; stream < stream_count; ++stream)
+        while (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0 && errno == EINTR) continue;
+}
+
 [[noreturn]] void fail(const std::string& what) {
     throw Error(what + ": " + std::strerror(errno), {}, Severity::system);
 }
@@ -41,6 +50,7 @@ class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
     Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
     ~Descriptor() { close(); }
     int number() const { return number_; }
     void close() {
@@ -50,6 +60,27 @@ class Descriptor {
 
   private:
     int number_;
+};
+
+/// A new folder for the socket, removed with it unless kept.
+class SocketFolder {
+  public:
+    explicit SocketFolder(std::string name_pattern) : name_(std::move(name_pattern)) {
+        if (!mkdtemp(name_.data())) fail("cannot make folder \"" + name_ + "\"");
+    }
+    SocketFolder(const SocketFolder&) = delete;
+    SocketFolder& operator=(const SocketFolder&) = delete;
+    ~SocketFolder() {
+        if (kept_) return;
+        unlink(socket_path().c_str());
+        rmdir(name_.c_str());
+    }
+    std::string socket_path() const { return name_ + "/socket"; }
+    void keep() { kept_ = true; }
+
+  private:
+    std::string name_;
+    bool kept_ = false;
 };
 
 sockaddr_un address_of(const std::string& path) {
@@ -102,7 +133,8 @@ void on_ending_signal(int) { asked_to_end = true; }
 /// The server's own life, in a process of its own.
 class Server {
   public:
-    Server(int listener, std::string persist_path, std::string socket_path, bool keep_messages)
+    /// The listener is closed in children.
+    Server(Descriptor& listener, std::string persist_path, std::string socket_path, bool keep_messages)
         : listener_(listener),
           persist_path_(std::move(persist_path)),
           socket_path_(std::move(socket_path)),
@@ -113,12 +145,12 @@ class Server {
         leave_streams();
         catch_signals();
         for (;;) {
-            pollfd wanted{listener_, POLLIN, 0};
+            pollfd wanted{listener_.number(), POLLIN, 0};
             const timespec idle{idle_seconds, 0};
             const int ready = ppoll(&wanted, 1, &idle, &usual_mask_);
             if (asked_to_end || ready == 0) end();
             if (ready < 0) continue;  // a child has ended
-            const int command = accept(listener_, nullptr, nullptr);
+            const int command = accept(listener_.number(), nullptr, nullptr);
             if (command < 0) continue;
             const pid_t child = fork();
             if (child == 0 && supervise(command)) return;
@@ -133,25 +165,38 @@ class Server {
         dup2(nothing, STDIN_FILENO);
         dup2(nothing, STDOUT_FILENO);
         if (!keep_messages_) dup2(nothing, STDERR_FILENO);
-        if (nothing > STDERR_FILENO) close(nothing);
+        close_all(stream_count, listener_.number() - 1);
+        close_all(listener_.number() + 1, std::numeric_limits<int>::max());
     }
 
+    /// Likewise for the pipes and locks that the command has inherited.
+    static void close_all(int first, int last) {
+        constexpr long most_tried = 1 << 16;
+        if (first > last || close_range(first, last, 0) == 0) return;
+        const long limit = std::min(sysconf(_SC_OPEN_MAX), most_tried);  // the kernel is older than the call
+        for (int number = first; number <= last && number < limit; ++number) close(number);
+    }
+
+    /// Signals that were ignored stay so.
     void catch_signals() {
         struct sigaction action {};
         action.sa_handler = on_ending_signal;
         sigemptyset(&action.sa_mask);
         sigset_t ending;
         sigemptyset(&ending);
-        for (const int signal : ending_signals) {
-            sigaction(signal, &action, nullptr);
-            sigaddset(&ending, signal);
+        for (std::size_t i = 0; i < ending_signals.size(); ++i) {
+            sigaction(ending_signals[i], nullptr, &usual_actions_[i]);
+            if (usual_actions_[i].sa_handler == SIG_IGN) continue;
+            sigaction(ending_signals[i], &action, nullptr);
+            sigaddset(&ending, ending_signals[i]);
         }
         sigprocmask(SIG_BLOCK, &ending, &usual_mask_);  // but while it polls
         signal(SIGCHLD, SIG_IGN);                       // nobody waits for children
     }
 
     void restore_signals() const {
-        for (const int number : ending_signals) signal(number, SIG_DFL);
+        for (std::size_t i = 0; i < ending_signals.size(); ++i)
+            sigaction(ending_signals[i], &usual_actions_[i], nullptr);
         signal(SIGCHLD, SIG_DFL);
         sigprocmask(SIG_SETMASK, &usual_mask_, nullptr);
     }
@@ -176,16 +221,17 @@ class Server {
 
     /// In a child of the server: starts another that does the work, in which it returns true, sees that it
     /// ends when the command does, and tells the command its exit status.
-    bool supervise(int command) const {
+    bool supervise(int command) {
         restore_signals();
-        close(listener_);
+        listener_.close();
         int streams[stream_count];
         int alive[2];
         if (!receive_streams(command, streams) || pipe(alive) != 0) _exit(1);
         const pid_t worker = fork();
         if (worker == 0) {
             close(command);
-            close(alive[0]);  // the other end closes with this process
+            close(alive[0]);           // the other end closes with this process
+            signal(SIGTERM, SIG_DFL);  // its supervisor ends it so
             for (int i = 0; i < stream_count; ++i) {
                 if (i != STDERR_FILENO || !keep_messages_) dup2(streams[i], i);
                 close(streams[i]);
@@ -204,16 +250,18 @@ class Server {
         _exit(0);
     }
 
-    int listener_;
+    Descriptor& listener_;
     std::string persist_path_, socket_path_;
     bool keep_messages_;
     sigset_t usual_mask_{};
+    std::array<struct sigaction, ending_signals.size()> usual_actions_{};
 };
 
 }  // namespace
 
 PersistentServer::PersistentServer(std::string path, std::string program)
     : path_(std::move(path)), program_(std::move(program)) {
+    open_missing_streams();
     lock();
     find_server();
 }
@@ -289,9 +337,8 @@ std::optional<int> PersistentServer::use() {
 
 void PersistentServer::leave_behind(bool keep_messages) {
     const char* const folder = std::getenv("TMPDIR");
-    std::string name = std::string(folder && *folder ? folder : "/tmp") + "/" + program_ + "-XXXXXX";
-    if (!mkdtemp(name.data())) fail("cannot make folder \"" + name + "\"");
-    const std::string socket_path = name + "/socket";
+    SocketFolder home(std::string(folder && *folder ? folder : "/tmp") + "/" + program_ + "-XXXXXX");
+    const std::string socket_path = home.socket_path();
     Descriptor listener(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
     const sockaddr_un address = address_of(socket_path);
     if (listener.number() < 0 ||
@@ -303,16 +350,21 @@ void PersistentServer::leave_behind(bool keep_messages) {
     const pid_t server = fork();
     if (server < 0) fail("cannot start a persistent process");
     if (server == 0) {
+        home.keep();   // the server removes it
         close(file_);  // the lock is the other process's
         file_ = -1;
-        Server(listener.number(), path_, socket_path, keep_messages).run();
+        Server(listener, path_, socket_path, keep_messages).run();
         return;
     }
     const std::string text = program_ + " " + std::to_string(server) + "\n" + socket_path + "\n";
     if (pwrite(file_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
-        kill(server, SIGTERM);
+        const int reason = errno;
+        kill(server, SIGKILL);  // nobody has seen it yet
+        waitpid(server, nullptr, 0);
+        errno = reason;
         fail("cannot write persist file \"" + path_ + "\"");
     }
+    home.keep();
     close(file_);
     file_ = -1;
 }

@@ -51,6 +51,15 @@ bool can_be_resumed(const std::string& path) {
     return stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
 }
 
+/// Whether a name, followed through links, is the file that the picture went to ("": the standard output).
+bool is_output(const std::string& path, const std::string& output) {
+    struct stat named {
+    }, written{};
+    const int found = output.empty() ? fstat(STDOUT_FILENO, &written) : stat(output.c_str(), &written);
+    return found == 0 && stat(path.c_str(), &named) == 0 && named.st_dev == written.st_dev &&
+           named.st_ino == written.st_ino;
+}
+
 }  // namespace
 
 PictureSession::PictureSession(const LoadedScene& loaded, const RpictOptions& options, IrradianceCache* cache,
@@ -138,7 +147,7 @@ void PictureSession::render(int number, const View& view, const std::optional<Vi
     if (number > 0) lines.push_back(formatted("FRAME=%d", number));
     write_frame(std::move(partial.frame), partial.finished_rows, scene, options, lines, command_line_);
     // What an unfinished picture held is in the whole one.
-    if (recovery && recovery->path != options.output) std::remove(recovery->path.c_str());
+    if (recovery && !is_output(recovery->path, options.output)) std::remove(recovery->path.c_str());
     if (!options.output.empty() && can_be_resumed(options.output))
         std::remove(partial_name(options.output).c_str());
 }

@@ -157,8 +157,10 @@ void add_definition_rows(OptionTable& table, RenderOptions& options) {
 void add_persistence_rows(OptionTable& table, RenderOptions& options) {
     const auto set_file = [&options](const OptionValues& given) { options.persist_file = given.text(0); };
     table
-        .custom("-P", "s", set_file,
-                "serve commands that name the same file from one copy of the scene, until killed")
+        .custom(
+            "-P", "s", set_file,
+            "serve commands that name the same file from one copy of the scene, until killed or idle for 8 "
+            "hours")
         .named("file")
         .differing("each command has a process forked from one server that holds the scene");
     table.custom("-PP", "s", set_file, "the same as -P")
