@@ -55,7 +55,6 @@ struct Fixture {
             },
             "wavelength limits");
         table.unsupported("-am", "f", "photon maps are not built yet");
-        table.unsupported_attached("-ap", "", "photon maps are not built yet");
     }
     std::string error(const Words& words) {
         return error_of([&] { table.parse(words); });
@@ -127,8 +126,6 @@ TEST(Options, ErrorsNameTheOption) {
     EXPECT_EQ(f.error({"-cw", "12", "8"}), "command line error at '-cw 12 8': the first must be less");
     EXPECT_EQ(f.error({"-am", "3"}),
               "command line error at '-am': option is not supported (photon maps are not built yet)");
-    EXPECT_EQ(f.error({"-apg", "3"}),
-              "command line error at '-apg': option is not supported (photon maps are not built yet)");
 }
 
 TEST(Options, FilesAndVariablesAreReadInPlace) {
