@@ -376,7 +376,7 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
 void Tracer::guide_lobe(const Lobe& lobe, int count, const GuidedShare& guided, Interaction& at) {
     Spectrum radiance(at.channels()), tint(at.channels());
     for (int i = 0; i < guided.count(); ++i) {
-        const Vec3 wi = guided.draw();
+        const Vec3 wi = guided.draw(i);
         const double value = lobe.eval(wi, 0);
         if (!(value > 0)) continue;
         Spectrum coefficient =

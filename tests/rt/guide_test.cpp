@@ -65,7 +65,8 @@ TEST(Lookout, SamplesFollowTheirDensity) {
     };
     RandomStream random(7, 1);
     for (int i = 0; i < draws; ++i) {
-        const Vec3 d = lookout.sample(random);
+        const double u = random.uniform();
+        const Vec3 d = lookout.sample(u, random.uniform());
         ASSERT_NEAR(length(d), 1, 1e-12);
         ASSERT_GT(lookout.pdf(d), 0);
         ++drawn[cell_of(d)];

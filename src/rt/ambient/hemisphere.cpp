@@ -192,7 +192,7 @@ void Tracer::guide_hemisphere(const Hemisphere& half, const Spectrum& coefficien
                               Spectrum& sum) {
     Spectrum radiance(at.channels());
     for (int i = 0; i < half.guided->count(); ++i) {
-        const Vec3 wi = half.guided->draw();
+        const Vec3 wi = half.guided->draw(i);
         const double density = half.density(wi);
         if (!(density > 0)) continue;
         const double share = half.share_of(wi) / half.guided->total(wi, density);

@@ -167,7 +167,7 @@ void HemisphereGatherer::trace_more() {
 void HemisphereGatherer::trace_guided(Spectrum& sum) {
     Spectrum radiance(at_.channels());
     for (int i = 0; i < guided_->count(); ++i) {
-        const Vec3 wi = guided_->draw();
+        const Vec3 wi = guided_->draw(i);
         const double density = dot(wi, place_.normal) * std::numbers::inv_pi;
         if (!(density > 0)) continue;
         const double share = density / guided_->total(wi, divisions_ * divisions_ * density);

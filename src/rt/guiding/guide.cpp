@@ -49,9 +49,7 @@ Lookout::Lookout(const Guide& guide, const Vec3& point) : guide_(guide) {
     }
 }
 
-Vec3 Lookout::sample(RandomStream& random) const {
-    double u = random.uniform();
-    const double v = random.uniform();
+Vec3 Lookout::sample(double u, double v) const {
     if (u < sky_chance_) return guide_.sky().sample(u / sky_chance_, v);
     u -= sky_chance_;
     int chosen = 0;

@@ -5,9 +5,9 @@
 //
 //     const auto guide = Guide::build(*scene, settings);  // nullptr: nothing stands out
 //     const Lookout lookout(*guide, point);
-//     lookout.sample(random);  lookout.pdf(direction);
+//     lookout.sample(u, v);  lookout.pdf(direction);
 //
-// Only what is brighter than the mean is aimed at, for the other rays find the rest well enough.
+// Only what is much brighter than the mean is aimed at, for the other rays find the rest well enough.
 // source: Veach & Guibas, "Optimally Combining Sampling Techniques" (SIGGRAPH 1995), balance heuristic;
 // Karlik et al., "MIS Compensation" (SIGGRAPH Asia 2019), densities less their mean.
 #pragma once
@@ -16,7 +16,6 @@
 #include <memory>
 #include <vector>
 
-#include "common/random.h"
 #include "common/vec.h"
 #include "rt/guiding/direction_map.h"
 
@@ -60,8 +59,9 @@ class Lookout {
   public:
     Lookout(const Guide& guide, const Vec3& point);
 
-    /// A unit direction towards something bright.
-    Vec3 sample(RandomStream& random) const;
+    /// A unit direction towards something bright, for u, v uniform in [0, 1). Strata of u share out the
+    /// bright things.
+    Vec3 sample(double u, double v) const;
     /// Density [1/sr] of sample(); direction: unit.
     double pdf(const Vec3& direction) const;
 

@@ -34,7 +34,7 @@ class GuideBuilder {
         for (int cell = 0; cell < DirectionMap::cells; ++cell)
             sky_mean += (sky[static_cast<std::size_t>(cell)] = sky_radiance(cell)) / DirectionMap::cells;
         for (double& radiance : sky) {
-            radiance = std::max(0.0, radiance - sky_mean);
+            radiance = std::max(0.0, radiance - standing_out * sky_mean);
             sky_excess += radiance * DirectionMap::cell_size;
         }
         if (sky_excess <= worth_aiming * 4 * pi * sky_mean) sky_excess = 0;

@@ -14,7 +14,11 @@ class GuidedShare {
     GuidedShare(Tracer& tracer, const Vec3& point, double weight);
 
     int count() const { return count_; }
-    Vec3 draw() const { return lookout_.sample(tracer_.random()); }
+    /// Direction of ray `index` of them, each from a stratum of its own.
+    Vec3 draw(int index) const {
+        const double u = (index + tracer_.random().uniform()) / count_;
+        return lookout_.sample(u, tracer_.random().uniform());
+    }
 
     /// Density [1/sr] of all rays at wi, times their numbers; others: that of the rays that are not guided,
     /// times their number.
