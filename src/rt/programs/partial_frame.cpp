@@ -90,7 +90,7 @@ std::optional<View> view_of(const std::array<double, numbers_a_view>& n) {
 
 template <class Values>
 void put(std::FILE* file, const Values& values) {
-    std::fwrite(values.data(), sizeof values[0], values.size(), file);
+    if (!values.empty()) std::fwrite(values.data(), sizeof values[0], values.size(), file);
 }
 
 class PartialReader {
