@@ -236,6 +236,7 @@ class Server {
                 if (i != STDERR_FILENO || !keep_messages_) dup2(streams[i], i);
                 close(streams[i]);
             }
+            leave_libraries_at_exit();
             return true;
         }
         close(alive[1]);
@@ -248,6 +249,17 @@ class Server {
         const std::int32_t answer = WIFEXITED(status) ? WEXITSTATUS(status) : status_of_a_killed_child;
         send(command, &answer, sizeof answer, MSG_NOSIGNAL);
         _exit(0);
+    }
+
+    /// Threads that libraries had started are not in this process, and what ends them at exit could wait for
+    /// them for ever. What is registered last runs first.
+    static void leave_libraries_at_exit() {
+        on_exit(
+            [](int status, void*) {
+                std::fflush(nullptr);
+                _exit(status);
+            },
+            nullptr);
     }
 
     Descriptor& listener_;
