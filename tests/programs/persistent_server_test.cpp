@@ -84,8 +84,10 @@ TEST_F(Persistent, commands_started_together_load_the_scene_once) {
 TEST_F(Persistent, a_command_that_is_killed_takes_its_work_along) {
     ASSERT_EQ(run("rtrace -h- -P p sky.oct < ray").out, value);
     const Outcome result = run(
-        "mkfifo a; rtrace -PP p < a > /dev/null & exec 3> a; sleep .2; server=$(awk '{print $2; exit}' p); "
-        "ps -o pid= --ppid $server | wc -l; kill $!; sleep .3; ps -o pid= --ppid $server | wc -l");
+        "workers_become() { for i in $(seq 500); do test $(ps -o pid= --ppid $server | wc -l) = $1 && "
+        "echo $1 && return; sleep .02; done; echo never; }; "
+        "mkfifo a; rtrace -PP p < a > /dev/null & exec 3> a; server=$(awk '{print $2; exit}' p); "
+        "workers_become 1; kill $!; workers_become 0");
     EXPECT_EQ(result.out, "1\n0\n") << result.err;
     end("p");
 }
