@@ -178,7 +178,8 @@ void write_outputs(const Picture& shown, const IrviewArguments& arguments) {
 int run(int argc, char** argv) {
     const auto arguments = read_irview_arguments(argc, argv);
     if (!arguments) return 0;
-    Picture picture = read_picture(arguments->picture);
+    Picture picture = arguments->layer.empty() ? read_picture(arguments->picture)
+                                               : read_exr_layer(arguments->picture, arguments->layer);
     undo_exposure(picture);
     if (arguments->block > 1) picture = block_mean(picture, arguments->block);
     for (const Region& region : arguments->regions) check_region(picture, region);

@@ -97,6 +97,10 @@ void add_picture_options(OptionTable& table, IrviewArguments& arguments) {
         .named("channel")
         .at_least(0);
     table
+        .text("-layer", &arguments.layer,
+              "layer of an OpenEXR picture, such as a component of rpict's -split")
+        .named("name");
+    table
         .custom(
             "-wl", "f", [&arguments](const OptionValues& given) { arguments.wavelength_um = given.real(0); },
             "channel of a spectral picture that holds this wavelength in um")

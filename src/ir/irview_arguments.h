@@ -15,6 +15,7 @@ namespace infra::ir {
 
 struct IrviewArguments {
     std::string picture;
+    std::string layer;                               ///< of an OpenEXR picture; empty: the picture itself
     std::vector<std::string> outputs;                ///< .exr: floats, otherwise PNG
     std::optional<std::pair<double, double>> range;  ///< ends of the colour scale
     std::optional<std::string> label, unit;          ///< of the legend

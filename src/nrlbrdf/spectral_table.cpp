@@ -128,7 +128,8 @@ void SpectralTable::normalized_lobe(const Vec3& wo, const Vec3& wi, Spectrum& re
     const double* const near = &reflectance_[static_cast<std::size_t>(j.cell) * tint_count_];
     const double* const far = near + tint_count_;
 
-    std::array<double, Spectrum::max_channels> lobe{};
+    std::array<double, Spectrum::max_channels> lobe;
+    std::fill_n(lobe.begin(), tint_count_, 0.0);
     for (int corner = 0; corner < 4; ++corner) {
         const double row_share = ((corner & 1) ? cell.i_fraction : 1 - cell.i_fraction) *
                                  ((corner & 2) ? cell.j_fraction : 1 - cell.j_fraction);

@@ -78,7 +78,7 @@ ChannelShares share_tables(const Channels& channels, std::span<const LoadedTable
         const auto nearest = std::ranges::min_element(
             tables, {}, [&](const LoadedTable& t) { return distance(*t.band, band.center()); });
         own[static_cast<std::size_t>(nearest - tables.begin())] = 1;
-        shares.without_band.push_back(c);
+        if (c < channels.bands()) shares.without_band.push_back(c);
     }
     return shares;
 }
@@ -87,7 +87,7 @@ std::string describe_gaps(const Channels& channels, const ChannelShares& shares)
     if (shares.without_band.empty()) return "";
     const int first = shares.without_band.front(), last = shares.without_band.back();
     return formatted("no band for %zu of the %d channels, between %g and %g um: they take the nearest one",
-                     shares.without_band.size(), channels.count(), channels.lower_um(last),
+                     shares.without_band.size(), channels.bands(), channels.lower_um(last),
                      channels.upper_um(first));
 }
 

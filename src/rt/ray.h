@@ -97,6 +97,9 @@ struct Interaction {
     double local_uv[2] = {0, 0};               ///< of a mesh: the functions' Lu and Lv
     Vec3 perturbation{0};                      ///< of the normal, the sum of the textures met so far
     bool flipped = false;
+    /// What the ray meets behind a surface that is nothing to it (Tracer::pass_through), -1: it has stopped
+    /// here.
+    int surface_behind = -1;
 
     /// What the ray has travelled in: what it started in, unless the boundary at its end knows better.
     const Medium* medium;

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "rt/split/split_settings.h"
 
 namespace infra {
 
@@ -66,6 +69,8 @@ struct RenderSettings {
     // Limits
     int max_reflections = 7;   ///< -lr: negative turns Russian roulette on below min_weight, 0: no limit
     double min_weight = 1e-4;  ///< -lw
+
+    std::optional<SplitSettings> split;  ///< -split: radiance told apart by where it comes from
 
     std::uint64_t seed = 0;  ///< -seed: names the random streams of a run
 

@@ -9,6 +9,7 @@
 #include "rt/guiding/guided_share.h"
 #include "rt/materials/scattering.h"
 #include "rt/scratch.h"
+#include "rt/split/split.h"
 #include "rt/volume/cut.h"
 
 namespace infra {
@@ -29,6 +30,7 @@ Tracer::Tracer(const CompiledScene& scene, const RenderSettings& settings, std::
       random_(seed, 0),
       evaluator_(scene.program()),
       guide_(settings.guided_samples > 0 ? scene.guide() : nullptr),
+      split_(scene.split()),
       scratch_(std::make_unique<Scratch>()) {}
 
 Tracer::~Tracer() = default;
@@ -63,6 +65,8 @@ void Tracer::trace(Interaction& at) {
     if (observer_) observer_->observe(at);  // before the medium takes its part, as in RADIANCE
     if (at.medium) [[unlikely]]
         participate(at);
+    if (split_ && !(at.ray->kind & (primary_ray | through_ray))) [[unlikely]]
+        split_->arrive(at.surface_behind >= 0 ? at.surface_behind : at.surface, at.radiance);
 }
 
 void Tracer::trace_in_vacuum(Interaction& at) {
@@ -95,6 +99,7 @@ void Tracer::trace_in_air(Interaction& at) {
         const double start = at.ray->fore + at.ray->path_before;
         const double near = at.ray->parent ? start : 0.0;  // the camera stands before the clipping plane
         scene_.air()->stretch(near, start + at.distance, transmittance, air);
+        if (split_) air = split_->on_path(air);
         for (int c = 0; c < at.channels(); ++c)
             at.radiance.set(c, transmittance[c] * (at.radiance[c] - sky.radiance[c]) +
                                    air[c] * (1.0f - sky.share[c]) + sky.radiance[c]);
@@ -225,6 +230,7 @@ void Tracer::pass_through(Interaction& at) {
     at.mirrored = beyond.mirrored;
     at.mirrored_distance = at.distance + beyond.mirrored_distance;
     at.direct_distance = at.distance + beyond.direct_distance;
+    at.surface_behind = beyond.surface_behind >= 0 ? beyond.surface_behind : beyond.surface;
 }
 
 void Tracer::pass_into(const Medium* beyond, Interaction& at) {

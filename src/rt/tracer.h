@@ -23,6 +23,7 @@ class Guide;
 class IrradianceCache;
 class PhotonMaps;
 class Scattering;
+class Split;
 struct SourceAim;
 
 /// Sees every ray once its radiance is known (rtrace -ot and -oT). The parents of `at` are alive and can be
@@ -92,8 +93,8 @@ class Tracer {
     /// Value of a function expression for this hit; see rt/functions/functions.h.
     cal::Evaluator& evaluator() { return evaluator_; }
     bool is_flat(const Interaction& at) const;
-    /// Whether a photon map has what specular materials do with light on its way to the diffuse surface that a
-    /// ray has come from.
+    /// Whether a photon map has what specular materials do with light on its way to the diffuse surface that
+    /// a ray has come from.
     bool is_in_photon_map(const Ray& ray) const;
 
   private:
@@ -150,7 +151,8 @@ class Tracer {
     bool sample_cell(Hemisphere& half, int cell, Interaction& at, Spectrum& radiance);
     void turn_upwards(const Hemisphere& half, Vec3& direction);
     bool spawn_ambient(Hemisphere& half, const Interaction& at);
-    void guide_hemisphere(const Hemisphere& half, const Spectrum& coefficient, Interaction& at, Spectrum& sum);
+    void guide_hemisphere(const Hemisphere& half, const Spectrum& coefficient, Interaction& at,
+                          Spectrum& sum);
     bool trace_ambient(Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance);
 
     // sources/direct.cpp
@@ -167,6 +169,7 @@ class Tracer {
     cal::Evaluator evaluator_;
     IrradianceCache* irradiance_cache_ = nullptr;
     const Guide* guide_;  // where rays are sent besides, nullptr: nowhere
+    const Split* split_;  // of radiance into components, nullptr: there is one
     RayObserver* observer_ = nullptr;
     bool observe_shadows_ = false;
     const char* stack_base_ = nullptr;  // where the primary ray under way was started

@@ -100,12 +100,12 @@ TEST(PartialFrame, asks_for_no_more_memory_than_its_picture_needs) {
         int width, height, channels;
     };
     const Sizes sizes{5, 4, 4};
-    EXPECT_NE(error_with(example(), sizes, Sizes{5, 4, 4096}).find("-cs and -cw"), std::string::npos);
+    EXPECT_NE(error_with(example(), sizes, Sizes{5, 4, 4096}).find("-cs, -cw"), std::string::npos);
     constexpr int spectrum = static_cast<int>(ColorSpace::spectrum), rgb = static_cast<int>(ColorSpace::rgb);
     struct Kind {
         int channels, space;
     };
-    EXPECT_NE(error_with(example(), Kind{4, spectrum}, Kind{4, rgb}).find("-cs and -cw"), std::string::npos);
+    EXPECT_NE(error_with(example(), Kind{4, spectrum}, Kind{4, rgb}).find("-cs, -cw"), std::string::npos);
     // All of a large picture traced, and no values.
     PartialFrame large;
     large.view = example().view;

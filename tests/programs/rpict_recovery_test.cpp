@@ -164,7 +164,7 @@ TEST_F(RpictRecovery, refuses_what_is_no_beginning_of_the_picture) {
     ASSERT_EQ(run("rpict -pXYZ -x 4 -y 4 -o xyz.hdr room.oct").status, 0);
     EXPECT_NE(complaint("-ro xyz.hdr room.oct").find("of another kind"), std::string::npos);
     ASSERT_EQ(stop(work + std::string("-o p.hdr room.oct"), "0").status, 3);
-    EXPECT_NE(complaint("-cs 8 -ro p.hdr room.oct").find("-cs and -cw"), std::string::npos);
+    EXPECT_NE(complaint("-cs 8 -ro p.hdr room.oct").find("-cs, -cw"), std::string::npos);
     EXPECT_NE(complaint("-z p.z -ro p.hdr room.oct").find("begun without -z"), std::string::npos);
     EXPECT_TRUE(folder.has("p.hdr.partial"));
 }

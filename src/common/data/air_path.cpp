@@ -52,7 +52,7 @@ void AirPath::share_bands(const Channels& channels, const std::string& name) {
         }
         const double lo = channels.is_rgb() ? edges_um_.front() : channels.lower_um(c);
         const double hi = channels.is_rgb() ? edges_um_.back() : channels.upper_um(c);
-        const double scale = channels.is_rgb() ? 1 : channels.count();
+        const double scale = channels.is_rgb() ? 1 : channels.bands();
         double covered = 0;
         for (int k = 0; k < bands; ++k) {
             const auto i = static_cast<std::size_t>(k);

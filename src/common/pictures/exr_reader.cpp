@@ -76,6 +76,30 @@ std::vector<std::string> chosen_channels(Picture& picture, const std::vector<std
     return names;
 }
 
+/// "sky, sea": the layers that a file's channels are in.
+std::string layer_list(const std::vector<std::string>& names) {
+    std::string list;
+    std::string last;
+    for (const std::string& name : names) {
+        const std::string layer = name.substr(0, name.find('.'));
+        if (layer.size() == name.size() || layer == "S0" || layer == last) continue;
+        list += (list.empty() ? "" : ", ") + layer;
+        last = layer;
+    }
+    return list.empty() ? "none" : list;
+}
+
+/// The channels of a layer without its name; all for an empty one.
+std::vector<std::string> layer_channels(const std::vector<std::string>& names, const std::string& prefix) {
+    std::vector<std::string> own;
+    for (const std::string& name : names)
+        if (name.starts_with(prefix)) own.push_back(name.substr(prefix.size()));
+    if (own.empty())
+        throw Error("it has no layer \"" + prefix.substr(0, prefix.size() - 1) +
+                    "\"; layers: " + layer_list(names));
+    return own;
+}
+
 void read_pixels(Imf::InputFile& file, const std::vector<std::string>& names, Picture& picture) {
     const auto& window = file.header().dataWindow();
     const std::size_t pixel = names.size(), row = pixel * static_cast<std::size_t>(picture.width);
@@ -94,14 +118,16 @@ void read_pixels(Imf::InputFile& file, const std::vector<std::string>& names, Pi
     }
 }
 
-Picture read(const std::string& path) {
+Picture read(const std::string& path, const std::string& layer_prefix) {
     Imf::InputFile file(path.c_str(), 1);
     const auto& window = file.header().dataWindow();
     Picture picture;
     picture.width = window.max.x - window.min.x + 1;
     picture.height = window.max.y - window.min.y + 1;
     picture.header = stored_header(file.header());
-    const std::vector<std::string> names = chosen_channels(picture, channel_names(file.header()));
+    std::vector<std::string> names =
+        chosen_channels(picture, layer_channels(channel_names(file.header()), layer_prefix));
+    for (std::string& name : names) name = layer_prefix + name;
     picture.channels = static_cast<int>(names.size());
     if (1LL * picture.width * picture.height > most_values / std::max(picture.channels, 1))
         throw Error("it is larger than we can hold");
@@ -111,9 +137,11 @@ Picture read(const std::string& path) {
 
 }  // namespace
 
-Picture read_exr(const std::string& path) {
+Picture read_exr(const std::string& path) { return read_exr_layer(path, ""); }
+
+Picture read_exr_layer(const std::string& path, const std::string& layer) {
     try {
-        return read(path);
+        return read(path, layer.empty() ? "" : layer + ".");
     } catch (const std::exception& problem) {
         throw Error(Location{path}, "cannot read picture: " + one_line(problem.what()));
     }

@@ -69,6 +69,9 @@ void undo_exposure(Picture& picture);
 /// Reads any picture: RADIANCE's and OpenEXR by our readers, others through OpenImageIO. throws Error for
 /// missing, malformed or truncated ones.
 Picture read_picture(const std::string& path);
+/// Reads a layer of an OpenEXR file: the channels "layer.R" and so on, taken for R and so on.
+///   throws  Error also if it has no such layer
+Picture read_exr_layer(const std::string& path, const std::string& layer);
 /// Reads RADIANCE's and OpenEXR only: for renderers, which would start a quarter of a second later if they
 /// were linked with the library for all others.
 Picture read_float_picture(const std::string& path);
@@ -127,6 +130,12 @@ struct ExrDescription {
     std::string band;      ///< "8-12 um"
     std::string software;  ///< version
 };
+/// Pictures of the same size and channels that go into a file beside the main one. Their values are
+/// interleaved: first all channels of the first layer, then those of the second.
+struct ExrLayers {
+    std::vector<std::string> names;
+    const std::vector<float>& values;
+};
 /// Writes 32 bit float channels with ZIP compression, atomically: R G B or X Y Z for three channels, Y for
 /// one, C000, C001... for others. The header's lines go into the attribute "radianceHeader".
 ///
@@ -134,6 +143,9 @@ struct ExrDescription {
 /// spectralLayoutVersion, emissiveUnits (Fichet, Pacanowski, Wilkie, "An OpenEXR Layout for Spectral Images",
 /// JCGT 10 (2021)), bandLimits, all limits of the bands in nm, longest first, and channelValues, what the
 /// value of a channel means.
-void write_exr(const std::string& path, const Picture& picture, const ExrDescription& description);
+///
+/// Channels of layers are named "layer.R" and so on.
+void write_exr(const std::string& path, const Picture& picture, const ExrDescription& description,
+               const ExrLayers* layers = nullptr);
 
 }  // namespace infra

@@ -63,7 +63,8 @@ Imf::Header exr_header(const Picture& picture, const ExrDescription& description
 
 }  // namespace
 
-void write_exr(const std::string& path, const Picture& picture, const ExrDescription& description) {
+void write_exr(const std::string& path, const Picture& picture, const ExrDescription& description,
+               const ExrLayers* layers) {
     if (picture.width < 1 || picture.height < 1 || picture.channels < 1)
         throw Error(Location{path}, "a picture needs at least one pixel");
     AtomicFile file(path);
@@ -71,13 +72,21 @@ void write_exr(const std::string& path, const Picture& picture, const ExrDescrip
     try {
         Imf::Header header = exr_header(picture, description);
         Imf::FrameBuffer frame;
-        const std::size_t pixel_stride = sizeof(float) * picture.channels;
-        for (int c = 0; c < picture.channels; ++c) {
-            const std::string name = channel_name(picture, c);
+        const auto add_channel = [&](const std::string& name, const float* first,
+                                     std::size_t values_a_pixel) {
             header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-            char* base = reinterpret_cast<char*>(const_cast<float*>(picture.pixels.data() + c));
-            frame.insert(name, Imf::Slice(Imf::FLOAT, base, pixel_stride, pixel_stride * picture.width));
-        }
+            char* base = reinterpret_cast<char*>(const_cast<float*>(first));
+            const std::size_t stride = sizeof(float) * values_a_pixel;
+            frame.insert(name, Imf::Slice(Imf::FLOAT, base, stride, stride * picture.width));
+        };
+        const std::size_t channels = picture.channels;
+        for (std::size_t c = 0; c < channels; ++c)
+            add_channel(channel_name(picture, static_cast<int>(c)), &picture.pixels[c], channels);
+        const std::size_t layer_count = layers ? layers->names.size() : 0;
+        for (std::size_t i = 0; i < layer_count * channels; ++i)
+            add_channel(
+                layers->names[i / channels] + "." + channel_name(picture, static_cast<int>(i % channels)),
+                &layers->values[i], layer_count * channels);
         Imf::OutputFile output(file.part_path().c_str(), header, 1);
         output.setFrameBuffer(frame);
         output.writePixels(picture.height);

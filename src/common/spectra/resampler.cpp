@@ -26,7 +26,7 @@ Channels visible_bands(std::size_t count, double nm_first, double nm_last) {
 }  // namespace
 
 Resampler::Resampler(const Channels& channels, std::size_t count, double nm_first, double nm_last)
-    : bands_(static_cast<std::size_t>(channels.count())) {
+    : channels_(channels), bands_(static_cast<std::size_t>(channels.bands())) {
     if (!channels.is_rgb()) {
         add_shares(channels, count, nm_first, nm_last);
         return;
@@ -46,11 +46,11 @@ Resampler::Resampler(const Channels& channels, std::size_t count, double nm_firs
 
 void Resampler::add_shares(const Channels& bands, std::size_t count, double nm_first, double nm_last) {
     const double step = (nm_last - nm_first) / static_cast<double>(count);
-    const double width = (bands.longest_nm() - bands.shortest_nm()) / bands.count();
+    const double width = (bands.longest_nm() - bands.shortest_nm()) / bands.bands();
     const auto place = [&](double nm) {  // among the samples, a sample one unit long
         return std::clamp((nm - nm_first) / step, 0.0, static_cast<double>(count));
     };
-    for (int c = 0; c < bands.count(); ++c) {
+    for (int c = 0; c < bands.bands(); ++c) {
         double from = place(bands.upper_nm(c)), to = place(bands.lower_nm(c));
         if (from > to) std::swap(from, to);
         for (std::size_t i = static_cast<std::size_t>(from); static_cast<double>(i) < to; ++i) {
@@ -66,11 +66,11 @@ Spectrum Resampler::operator()(std::span<const double> values) const {
     for (const Share& share : shares_) means[share.band] += share.weight * values[share.sample];
     Spectrum spectrum(static_cast<int>(bands_));
     for (std::size_t c = 0; c < bands_; ++c) spectrum.set(static_cast<int>(c), static_cast<float>(means[c]));
-    if (!color_) return spectrum;
+    if (!color_) return channels_.in_all_components(spectrum);
     const Color rgb = (*color_)(spectrum);
     Spectrum result(3);
     for (int c = 0; c < 3; ++c) result.set(c, rgb[static_cast<std::size_t>(c)]);
-    return result;
+    return channels_.in_all_components(result);
 }
 
 Spectrum resample(const Channels& channels, std::span<const double> values, double nm_first, double nm_last) {

@@ -33,6 +33,7 @@ class Resampler {
     };
     void add_shares(const Channels& bands, std::size_t count, double nm_first, double nm_last);
 
+    Channels channels_;
     std::size_t bands_;
     std::vector<Share> shares_;
     std::optional<ColorConverter> color_;  ///< of the bands, where they are not the channels

@@ -10,7 +10,7 @@ namespace infra {
 
 class Spectrum {
   public:
-    static constexpr int max_channels = 24;
+    static constexpr int max_channels = 64;
 
     /// All channels equal to `value`. channels: 1..max_channels.
     explicit Spectrum(int channels, float value = 0.0f) : channels_(channels) {
@@ -103,8 +103,8 @@ class Spectrum {
             for (int l = 1; 4 * l < channels_; ++l) step(l);
     }
 
+    int channels_;  // before the lanes, next to the first of them
     Lane lane_[max_channels / 4];
-    int channels_;
 };
 
 inline Spectrum operator*(Spectrum a, const Spectrum& b) { return a *= b; }

@@ -31,6 +31,7 @@ struct FunctionDefinition {
 };
 
 class PhotonMaps;
+class Split;
 
 class CompiledScene {
   public:
@@ -50,11 +51,14 @@ class CompiledScene {
     Error error(PrimitiveId number, std::string_view message, std::string_view hint = {}) const;
     const Geometry& geometry() const { return geometry_; }
     const cal::Program& program() const { return *program_; }
+    int surface_count() const { return static_cast<int>(surfaces_.surfaces.size()); }
     const Surface& surface(int i) const { return surfaces_[i]; }
     /// Modifier and material of a surface.
     const Finish& finish(int surface) const { return surfaces_.finish(surface); }
     const std::vector<LightSource>& sources() const { return sources_; }
     const LightSource& source(int i) const { return sources_[static_cast<std::size_t>(i)]; }
+    /// What shines: the surface of a source, or of that which a virtual one is an image of.
+    int shining_surface(int source) const;
     /// Sources at infinity in the order of definition.
     const std::vector<int>& distant_sources() const { return distant_; }
     /// Sources that direct light is computed for.
@@ -91,6 +95,9 @@ class CompiledScene {
     /// What -ap has read, nullptr for none.
     const PhotonMaps* photons() const { return photons_.get(); }
 
+    /// How radiance is told apart by where it comes from, nullptr: it is not.
+    const Split* split() const { return split_.get(); }
+
     /// Band in um that all thermal surfaces state; nothing if there are none or they differ.
     const std::optional<std::pair<double, double>>& band() const { return band_; }
 
@@ -114,6 +121,7 @@ class CompiledScene {
     Geometry geometry_{surfaces_};
     std::optional<AirPath> air_;
     std::shared_ptr<const PhotonMaps> photons_;
+    std::shared_ptr<const Split> split_;
     Medium surroundings_{3};
     std::optional<std::pair<double, double>> band_;
     std::vector<LightSource> sources_;

@@ -40,6 +40,8 @@ class ModifierContext {
     std::span<const std::string_view> strings() const { return scene.strings(id); }
     /// Red, green and blue arguments from `first` on, given to all channels.
     Spectrum color(std::size_t first) const;
+    /// The same as a radiance that a surface sends out by itself: into the first component of a rendering.
+    Spectrum emission(std::size_t first) const { return channels.in_component(0, color(first)); }
     /// The modifier that a string argument names: nullptr for void.
     const Modifier* modifier_named(std::string_view name) const;
     Error error(std::string_view message, std::string_view hint = {}) const {

@@ -13,7 +13,7 @@ bool same(double a, double b) { return a - b <= rounding * b && b - a <= roundin
 
 /// What a spectral rendering shows of a band; empty for all of it.
 std::string darkness(const SceneBands::Band& band, const Channels& channels) {
-    const SceneBands::Band range = {channels.lower_um(channels.count() - 1), channels.upper_um(0)};
+    const SceneBands::Band range = {channels.lower_um(channels.bands() - 1), channels.upper_um(0)};
     if (range.second <= band.first || range.first >= band.second)
         return "thermal surfaces of " + words(band) + " are dark in channels of " + words(range) +
                " (-cw is in nanometres)";

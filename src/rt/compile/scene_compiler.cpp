@@ -10,6 +10,7 @@
 #include "rt/photons/photon_maps.h"
 #include "rt/sources/source_setup.h"
 #include "rt/sources/virtual_sources.h"
+#include "rt/split/split.h"
 #include "rt/volume/antimatter.h"
 #include "rt/volume/mist.h"
 #include "scene/surface_geometry.h"
@@ -59,13 +60,15 @@ class SceneCompiler {
         for (std::string& warning : context_.tables.thermal_bands.warnings(out_.channels_, out_.air()))
             out_.warnings_.push_back(std::move(warning));
         const float* ambient = settings_.ambient_value;
-        out_.ambient_value_ = out_.channels_.from_rgb(ambient[0], ambient[1], ambient[2]);
+        out_.ambient_value_ = out_.channels_.in_component(
+            Split::assumed, out_.channels_.from_rgb(ambient[0], ambient[1], ambient[2]));
         out_.irradiance_material_ = std::make_unique<WardMaterial>("Lambertian", nullptr, white, false);
         out_.surroundings_ = global_medium(settings_, out_.channels_);
         read_photons();
         if (!out_.photons_ || !out_.photons_->cover_surfaces()) add_images(relays);
         for (const auto& modifier : out_.modifiers_)
             if (auto* mist = dynamic_cast<Mist*>(modifier.get())) mist->find_sources(out_, out_.warnings_);
+        if (settings_.split) out_.split_ = std::make_shared<const Split>(out_, *settings_.split);
         if (settings_.guided_samples > 0) out_.guide_ = Guide::build(out_, settings_);
     }
 
@@ -82,6 +85,8 @@ class SceneCompiler {
 
     void read_photons() {
         if (settings_.photon_maps.empty()) return;
+        if (settings_.split)
+            throw Error("photon maps do not tell where their light comes from", "leave -split out");
         if (out_.channel_count() != 3 || !out_.channels_.shows_colors())
             throw Error("photon maps hold red, green and blue, not spectra", "leave -cs and -cw out");
         out_.photons_ = std::make_shared<const PhotonMaps>(settings_, out_.warnings_);
@@ -168,6 +173,11 @@ std::shared_ptr<const CompiledScene> CompiledScene::compile(
     compiled->parts_.push_back({std::move(scene), 0});
     SceneCompiler(*compiled, settings).run(definitions);
     return compiled;
+}
+
+int CompiledScene::shining_surface(int number) const {
+    while (source(number).is_virtual()) number = source(number).parent;
+    return source(number).surface;
 }
 
 const ScenePart& CompiledScene::part_of(PrimitiveId number) const {

@@ -73,7 +73,7 @@ bool EmissiveMaterial::shade(Tracer& tracer, Interaction& at) const {
 std::unique_ptr<Modifier> make_emissive(ModifierContext& context) {
     const auto numbers = context.reals();
     const Modifier* reflecting = wrapped_material(context);
-    return std::make_unique<EmissiveMaterial>(context.name(), context.next, context.color(0),
+    return std::make_unique<EmissiveMaterial>(context.name(), context.next, context.emission(0),
                                               numbers.size() > 3 ? numbers[3] : 0.0, reflecting);
 }
 

@@ -34,7 +34,7 @@ class LightMaterial final : public Modifier, public Emitter {
   public:
     LightMaterial(Kind kind, ModifierContext& context)
         : Modifier(context.name(), context.next),
-          Emitter(kind, context.color(0)),
+          Emitter(kind, context.emission(0)),
           traits_{.name = context.name(), .blocks_light = false, .emits = true, .is_light = true} {}
 
     void set_reach(double reach) { reach_ = reach; }

@@ -126,7 +126,7 @@ std::unique_ptr<Modifier> make_nrlbrdf(ModifierContext& context) {
     auto table = std::make_unique<TableMaterial>(context.name(), context.next, context.color(0), samples,
                                                  alpha, shared_tables(context));
     if (numbers.size() == 5) return table;
-    return std::make_unique<EmissiveMaterial>(context.name(), context.next, context.color(5), 0.0,
+    return std::make_unique<EmissiveMaterial>(context.name(), context.next, context.emission(5), 0.0,
                                               std::move(table));
 }
 

@@ -47,7 +47,7 @@ MaterialVariables material_variables(const Channels& channels, const Interaction
     MaterialVariables variables{.normal = normal, .cosine = -dot(normal, at.ray->direction), .color = {}};
     int counts[3] = {};
     for (int c = 0; c < color.channels(); ++c) {
-        const int primary = channels.is_rgb() ? c : channels.primary_of(c);
+        const int primary = channels.primary_of(c);
         variables.color[primary] += double(color[c]);
         ++counts[primary];
     }

@@ -110,7 +110,7 @@ class Scattering {
     void eval(const Vec3& wi, double omega, bool with_lobes, Spectrum& result) const;
 
   private:
-    static constexpr std::size_t slot_size = 384;
+    static constexpr std::size_t slot_size = 704;
     alignas(16) std::byte slots_[2][slot_size];
 };
 

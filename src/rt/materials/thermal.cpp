@@ -42,9 +42,10 @@ class ThermalSpectrum {
             const double lo = channels.is_rgb() ? lo_um : std::max(lo_um, channels.lower_um(c));
             const double hi = channels.is_rgb() ? hi_um : std::min(hi_um, channels.upper_um(c));
             auto& curve = curves_.emplace_back();
-            if (lo < hi) curve = context.tables.planck_curve(lo, hi);
+            const bool emits = c < channels.bands();  // into the first component
+            if (emits && lo < hi) curve = context.tables.planck_curve(lo, hi);
         }
-        scale_ = channels.is_rgb() ? 1.0 : channels.count();
+        scale_ = channels.is_rgb() ? 1.0 : channels.bands();
     }
 
     /// temperature: kelvin, > 0.

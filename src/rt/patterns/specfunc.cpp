@@ -38,7 +38,7 @@ class SpectralFunction final : public Modifier {
         shortest_ = std::max(std::min(nm_a, nm_b), channels.shortest_nm());
         longest_ = std::min(std::max(nm_a, nm_b), channels.longest_nm());
         const double finest =
-            (channels.longest_nm() - channels.shortest_nm()) / (samples_per_channel * channels.count());
+            (channels.longest_nm() - channels.shortest_nm()) / (samples_per_channel * channels.bands());
         const double step = std::max((longest_ - shortest_) / most_samples, finest);
         count_ = std::max(static_cast<int>((longest_ - shortest_) / step + 0.1), 1);
         resampler_.emplace(channels, static_cast<std::size_t>(count_), shortest_, longest_);

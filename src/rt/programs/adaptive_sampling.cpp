@@ -51,8 +51,10 @@ GapFiller::GapFiller(const SampleGrid& grid, Frame& frame, double contrast, Trac
 bool GapFiller::differ(int column_a, int row_a, int column_b, int row_b) const {
     const std::span<const float> a = frame_.picture.at(column_a, row_a);
     const std::span<const float> b = frame_.picture.at(column_b, row_b);
-    for (std::size_t c = 0; c < a.size(); ++c)
-        if (std::abs(a[c] - b[c]) > contrast_ * std::min(a[c], b[c])) return true;
+    for (int band = 0; band < frame_.bands(); ++band) {
+        const float x = frame_.total(a, band), y = frame_.total(b, band);
+        if (std::abs(x - y) > contrast_ * std::min(x, y)) return true;
+    }
     if (frame_.depth.empty()) return false;
     const float za = frame_.depth[static_cast<std::size_t>(row_a) * frame_.picture.width + column_a];
     const float zb = frame_.depth[static_cast<std::size_t>(row_b) * frame_.picture.width + column_b];

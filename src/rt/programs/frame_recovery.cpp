@@ -50,6 +50,8 @@ Recovery recover_rows(const std::string& path, const RpictOptions& options, cons
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
     if (!file) throw Error("cannot read recover file \"" + path + "\"", {}, Severity::system);
     UnfinishedRows found = read_unfinished_hdr(file.get(), path);
+    if (options.render.settings.split)
+        throw Error(Location{path}, "the components of its pixels are not known", "leave -split out");
     require_same_kind(path, found.rows, options, channels);
     Recovery recovery;
     recovery.path = path;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* format_line = "FORMAT=rpict_partial";
 constexpr std::uint32_t magic = 0x50415254;  // other in the other byte order
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 constexpr std::size_t longest_header = 1 << 22;  // bytes
 
 /// The numbers before the values.
@@ -30,6 +30,7 @@ struct Preamble {
     std::int32_t width = 0, height = 0;
     std::int32_t channels = 0, space = 0, has_depth = 0, has_error = 0;
     std::int32_t finished_rows = 0, finished_channels = 0, finished_space = 0;
+    std::int32_t components = 1;
 };
 static_assert(std::is_trivially_copyable_v<Preamble>);
 
@@ -122,8 +123,9 @@ class PartialReader {
             fail("another version of rpict, or another kind of machine, has made it");
         check(start);
         const ColorSpace space = channels.is_rgb() ? ColorSpace::rgb : ColorSpace::spectrum;
-        if (start.channels != channels.count() || start.space != static_cast<int>(space))
-            throw Error(Location{path_}, "its channels are not those that -cs and -cw ask for",
+        if (start.channels != channels.count() || start.components != channels.components() ||
+            start.space != static_cast<int>(space))
+            throw Error(Location{path_}, "its channels are not those that -cs, -cw and -split ask for",
                         "finish it with the options it was begun with");
         PartialFrame partial;
         std::array<double, numbers_a_view> view;
@@ -167,7 +169,8 @@ class PartialReader {
         const auto in = [](int value, int least, int most) { return value >= least && value <= most; };
         const int spaces = static_cast<int>(ColorSpace::spectrum);
         if (p.width < 1 || p.height < 1 || std::int64_t(p.width) * p.height > most_pixels ||
-            !in(p.channels, 1, most_channels) || !in(p.finished_channels, 0, most_channels) ||
+            !in(p.channels, 1, most_channels) || !in(p.components, 1, p.channels) ||
+            p.channels % p.components != 0 || !in(p.finished_channels, 0, most_channels) ||
             !in(p.finished_rows, 0, p.height) || !in(p.space, 0, spaces) || !in(p.finished_space, 0, spaces))
             fail("its numbers make no sense");
     }
@@ -193,8 +196,8 @@ class PartialReader {
 
     /// Whether the file holds what follows for so many pixels, before there is memory for them.
     void require_values(const Preamble& start, std::size_t pixels) {
-        const std::size_t values =
-            std::size_t(start.channels) * (start.has_error ? 2 : 1) + (start.has_depth ? 1 : 0);
+        const std::size_t bands = start.channels / start.components;
+        const std::size_t values = start.channels + (start.has_error ? bands : 0) + (start.has_depth ? 1 : 0);
         const off_t here = ftello(file_.get());
         struct stat status {};
         if (here < 0 || fstat(fileno(file_.get()), &status) != 0)
@@ -212,15 +215,17 @@ class PartialReader {
         frame.picture.width = start.width;
         frame.picture.height = start.height;
         frame.picture.channels = start.channels;
+        frame.components = start.components;
         frame.picture.space = static_cast<ColorSpace>(start.space);
         frame.picture.pixels.resize(pixels * start.channels);
         if (start.has_depth) frame.depth.resize(pixels);
-        if (start.has_error) frame.error.resize(pixels * start.channels);
+        const std::size_t bands = frame.bands();
+        if (start.has_error) frame.error.resize(pixels * bands);
         for (std::size_t i = 0; i < pixels; ++i) {
             if (!traced[i]) continue;
             get(&frame.picture.pixels[i * start.channels], start.channels);
             if (start.has_depth) get(&frame.depth[i], 1);
-            if (start.has_error) get(&frame.error[i * start.channels], start.channels);
+            if (start.has_error) get(&frame.error[i * bands], bands);
         }
         frame.traced = std::move(traced);
     }
@@ -249,18 +254,19 @@ void write_partial(std::FILE* file, const PartialFrame& partial, const std::vect
                          .has_error = frame.error.empty() ? 0 : 1,
                          .finished_rows = rows.height,
                          .finished_channels = rows.channels,
-                         .finished_space = static_cast<int>(rows.space)};
+                         .finished_space = static_cast<int>(rows.space),
+                         .components = frame.components};
     std::fwrite(&start, sizeof start, 1, file);
     put(file, numbers_of(partial.view));
     std::fwrite(&partial.pixel_aspect, sizeof partial.pixel_aspect, 1, file);
     put(file, rows.pixels);
     put(file, frame.traced);
-    const std::size_t channels = frame.picture.channels;
+    const std::size_t channels = frame.picture.channels, bands = frame.bands();
     for (std::size_t i = 0; i < frame.traced.size(); ++i) {
         if (!frame.traced[i]) continue;
         std::fwrite(&frame.picture.pixels[i * channels], sizeof(float), channels, file);
         if (start.has_depth) std::fwrite(&frame.depth[i], sizeof(float), 1, file);
-        if (start.has_error) std::fwrite(&frame.error[i * channels], sizeof(float), channels, file);
+        if (start.has_error) std::fwrite(&frame.error[i * bands], sizeof(float), bands, file);
     }
     if (std::fflush(file) != 0 || std::ferror(file))
         throw Error(std::string("cannot keep the unfinished picture: ") + std::strerror(errno), {},

@@ -15,6 +15,7 @@
 #include "common/version.h"
 #include "rt/programs/frame_name.h"
 #include "rt/programs/value_converter.h"
+#include "rt/split/split.h"
 
 namespace infra {
 namespace {
@@ -64,7 +65,8 @@ PictureHeader picture_header(const std::vector<std::string>& first_lines, const 
     if (options.pixel_aspect < 0.995 || options.pixel_aspect > 1.005)
         header.add(formatted("PIXASPECT=%f", options.pixel_aspect));
     if (options.color.kind == Kind::primaries && !picture.bands) {
-        for (const std::string& line : color_header_lines(options.color, scene.channels())) header.add(line);
+        for (const std::string& line : color_header_lines(options.color, scene.channels().one_component()))
+            header.add(line);
     } else if (picture.space == ColorSpace::rgb) {
         header.add(standard_primaries);
     }
@@ -101,6 +103,28 @@ void write_error(const std::string& path, const Picture& values, std::vector<flo
     picture.pixels = std::move(errors);
     description.quantity = "standard error of " + description.quantity;
     write_exr(path, picture, description);
+}
+
+/// The radiance of pixels that are kept in components.
+Picture summed(const Frame& frame) {
+    Picture picture{.width = frame.picture.width, .height = frame.picture.height, .channels = frame.bands()};
+    picture.space = frame.picture.space;
+    const std::size_t all = frame.picture.channels;
+    picture.pixels.reserve(frame.picture.pixels.size() / frame.components);
+    for (std::size_t first = 0; first < frame.picture.pixels.size(); first += all)
+        for (int band = 0; band < frame.bands(); ++band)
+            picture.pixels.push_back(frame.total(std::span(frame.picture.pixels).subspan(first, all), band));
+    return picture;
+}
+
+/// The radiance in the scene's own channels, and its components as layers.
+void write_split(Picture radiance, const Frame& frame, const CompiledScene& scene,
+                 const RpictOptions& options, const std::vector<std::string>& first_lines,
+                 const std::string& command_line) {
+    if (!scene.channels().is_rgb()) radiance.bands = scene.channels().one_component();
+    radiance.header = picture_header(first_lines, options, radiance, scene);
+    const ExrLayers layers{component_names(*options.render.settings.split), frame.picture.pixels};
+    write_exr(options.split_output, radiance, describe(options, radiance, command_line), &layers);
 }
 
 void write_depth(const std::string& path, const std::vector<float>& depth) {
@@ -141,12 +165,15 @@ void check_writable(const RpictOptions& options) {
     check_writable(frame_name(options.output, 0));
     check_writable(frame_name(options.depth_output, 0));
     check_writable(frame_name(options.error_output, 0));
+    check_writable(frame_name(options.split_output, 0));
 }
 
 void write_frame(Frame frame, const Picture& finished_rows, const CompiledScene& scene,
                  const RpictOptions& options, const std::vector<std::string>& first_lines,
                  const std::string& command_line) {
-    Picture picture = in_output_channels(std::move(frame.picture), options, scene.channels());
+    Picture radiance = frame.components > 1 ? summed(frame) : std::move(frame.picture);
+    if (frame.components > 1) write_split(radiance, frame, scene, options, first_lines, command_line);
+    Picture picture = in_output_channels(std::move(radiance), options, scene.channels().one_component());
     if (finished_rows.height > 0) {
         if (finished_rows.channels != picture.channels)
             throw Error("recovered scanlines have other channels", {}, Severity::internal);

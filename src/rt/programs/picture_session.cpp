@@ -27,6 +27,7 @@ RpictOptions options_of(const RpictOptions& all, int number, const View& view,
     options.output = frame_name(all.output, number);
     options.depth_output = frame_name(all.depth_output, number);
     options.error_output = frame_name(all.error_output, number);
+    options.split_output = frame_name(all.split_output, number);
     if (recovery) {
         options.width = recovery->partial.width;
         options.height = recovery->partial.height;

@@ -17,7 +17,8 @@ PixelTracer::PixelTracer(const CompiledScene& scene, const RenderSettings& setti
       frame_(frame),
       sample_(scene.channel_count()),
       mean_(scene.channel_count()),
-      deviation_(scene.channel_count()) {}
+      total_(scene.channels().bands()),
+      deviation_(scene.channels().bands()) {}
 
 /// Place within a pixel, 0.5 is its middle.
 double PixelTracer::jittered() { return 0.5 + camera_.pixel_jitter * (0.5 - tracer_.random().uniform()); }
@@ -119,22 +120,28 @@ void PixelTracer::trace(int column, int row) {
     if (!frame_.traced.empty() && frame_.traced[index]) return;
     const auto samples = static_cast<std::uint64_t>(camera_.samples);
     std::fill(mean_.begin(), mean_.end(), 0.0);
+    std::fill(total_.begin(), total_.end(), 0.0);
     std::fill(deviation_.begin(), deviation_.end(), 0.0);
     for (std::uint64_t s = 0; s < samples; ++s) {
         throw_if_interrupted();
         const double depth = trace_sample(column, row, index * samples + s);
         if (s == 0 && !frame_.depth.empty()) frame_.depth[index] = static_cast<float>(depth);
-        for (std::size_t c = 0; c < sample_.size(); ++c) {
-            const double step = static_cast<double>(sample_[c]) - mean_[c];
-            mean_[c] += step / static_cast<double>(s + 1);
-            deviation_[c] += step * (static_cast<double>(sample_[c]) - mean_[c]);
+        const auto number = static_cast<double>(s + 1);
+        for (std::size_t c = 0; c < sample_.size(); ++c)
+            mean_[c] += (static_cast<double>(sample_[c]) - mean_[c]) / number;
+        if (frame_.error.empty()) continue;
+        for (std::size_t b = 0; b < total_.size(); ++b) {
+            const auto value = static_cast<double>(frame_.total(sample_, static_cast<int>(b)));
+            const double step = value - total_[b];
+            total_[b] += step / number;
+            deviation_[b] += step * (value - total_[b]);
         }
     }
     std::ranges::copy(mean_, frame_.picture.at(column, row).begin());
     if (!frame_.error.empty())
-        for (std::size_t c = 0; c < sample_.size(); ++c)
-            frame_.error[index * sample_.size() + c] =
-                static_cast<float>(std::sqrt(deviation_[c] / static_cast<double>(samples * (samples - 1))));
+        for (std::size_t b = 0; b < deviation_.size(); ++b)
+            frame_.error[index * deviation_.size() + b] =
+                static_cast<float>(std::sqrt(deviation_[b] / static_cast<double>(samples * (samples - 1))));
     if (!frame_.traced.empty()) frame_.traced[index] = 1;
 }
 

@@ -16,9 +16,18 @@ namespace infra {
 struct Frame {
     Picture picture;
     std::vector<float> depth;  ///< distance a pixel; empty when nobody wants it
-    std::vector<float> error;  ///< standard error of each of the picture's values; empty when nobody wants it
+    std::vector<float> error;  ///< standard error a pixel and band; empty when nobody wants it
+    int components = 1;        ///< of every band, in the picture: its radiance is their sum
     /// A byte a pixel: 1 if its value was traced, and so is known, not interpolated. Empty when nobody asks.
     std::vector<std::uint8_t> traced;
+
+    int bands() const { return picture.channels / components; }
+    /// Sum over the components of one pixel's values.
+    float total(std::span<const float> values, int band) const {
+        float sum = values[band];
+        for (std::size_t c = band + bands(); c < values.size(); c += bands()) sum += values[c];
+        return sum;
+    }
 };
 
 /// Where the rays of a pixel start and go.
@@ -60,8 +69,10 @@ class PixelTracer {
     Tracer tracer_;
     const Camera& camera_;
     Frame& frame_;
-    std::vector<float> sample_;             // the last one
-    std::vector<double> mean_, deviation_;  // of a pixel's samples: mean, sum of squares of deviations
+    std::vector<float> sample_;  // the last one
+    std::vector<double> mean_;   // of a pixel's samples
+    std::vector<double> total_,
+        deviation_;  // and of their sums over the components: sum of squared deviations
 };
 
 }  // namespace infra

@@ -31,7 +31,8 @@ Frame empty_frame(int width, int height, bool with_depth, bool with_error, const
     frame.picture.space = channels.is_rgb() ? ColorSpace::rgb : ColorSpace::spectrum;
     frame.picture.pixels.resize(pixels * channels.count());
     if (with_depth) frame.depth.resize(pixels);
-    if (with_error) frame.error.resize(frame.picture.pixels.size());
+    frame.components = channels.components();
+    if (with_error) frame.error.resize(pixels * channels.bands());
     frame.traced.resize(pixels);
     return frame;
 }

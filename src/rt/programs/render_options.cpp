@@ -235,6 +235,11 @@ void add_refused_rows(OptionTable& table) { table.unsupported("-features", "", "
 }  // namespace
 
 Channels RenderOptions::channels() const {
+    const Channels bands = band_channels();
+    return settings.split ? bands.with_components(settings.split->component_count()) : bands;
+}
+
+Channels RenderOptions::band_channels() const {
     const bool given = wavelength_ends[0] != 0 || wavelength_ends[1] != 0;
     if (!given && channel_count == 3) return {};
     const double nm_a = given ? wavelength_ends[0] : Channels::blue_limit_nm;

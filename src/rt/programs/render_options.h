@@ -19,9 +19,12 @@ struct RenderOptions {
     int channel_count = 3;                        ///< -cs
     double wavelength_ends[2] = {0, 0};           ///< -cw, nm; 0: not given
 
-    /// What -cs and -cw ask for. throws Error as Channels::spectral.
+    /// What -cs, -cw and -split ask for. throws Error as Channels::spectral and Channels::with_components.
     Channels channels() const;
     bool uncorrelated = false;  ///< -u: accepted, every ray's samples are independent
+
+  private:
+    Channels band_channels() const;
 };
 
 /// What the programs start from.

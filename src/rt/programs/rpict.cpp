@@ -44,6 +44,14 @@ void check(const RpictOptions& options, const std::vector<std::string>& operands
             options.color.kind == OutputColor::Kind::primaries)
             throw Error("-se gives the errors of the scene's own channels", "leave -pXYZ and -pc out");
     }
+    if (options.render.settings.split) {
+        if (options.split_output.empty()) throw Error("-splitb and -splitm need -split", "it names the file");
+        if (!options.split_output.ends_with(".exr"))
+            throw Error(Location{options.split_output}, "components are written as OpenEXR",
+                        "give a name that ends in .exr");
+        if (!options.render.settings.ambient_file.empty())
+            throw Error("-af keeps no components", "leave -af or -split out");
+    }
     if (options.is_sequence() && operands.empty())
         throw Error("missing octree argument", "views are read from the standard input");
     if (!options.render.persist_file.empty()) {
@@ -122,7 +130,7 @@ int rpict(int argc, char** argv) {
     const WarningSink warn = warning_sink(table.program(), options.render);
     check_writable(options);
     const Channels channels = options.render.channels();
-    if (const std::string text = color_warning(options.color, channels);
+    if (const std::string text = color_warning(options.color, channels.one_component());
         writes_colors(options) && !text.empty())
         warn(text);
 

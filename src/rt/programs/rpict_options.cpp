@@ -1,5 +1,7 @@
 #include "rt/programs/rpict_options.h"
 
+#include <optional>
+
 #include "common/format.h"
 #include "common/views/view_options.h"
 
@@ -26,6 +28,47 @@ void add_pixel_rows(OptionTable& table, RpictOptions& options) {
         .ours();
 }
 
+SplitSettings& split_settings(RpictOptions& options) {
+    std::optional<SplitSettings>& split = options.render.settings.split;
+    return split ? *split : split.emplace();
+}
+
+void add_split_rows(OptionTable& table, RpictOptions& options) {
+    table
+        .custom(
+            "-split", "s",
+            [&options](const OptionValues& given) {
+                options.split_output = given.text(0);
+                split_settings(options);
+            },
+            "file for the picture told apart by where its radiance comes from, .exr: emitted, path, assumed "
+            "and "
+            "reflected_sky, _sea, _sun and _ship")
+        .named("file.exr")
+        .ours();
+    table
+        .custom(
+            "-splitb", "i",
+            [&options](const OptionValues& given) { split_settings(options).bounces = given.integer(0); },
+            "bounces that -split tells apart, the last with all beyond it")
+        .named("bounces")
+        .at_least(1)
+        .ours();
+    table
+        .custom(
+            "-splitm", "ss",
+            [&options](const OptionValues& given) {
+                const std::optional<Origin> origin = origin_named(given.text(0));
+                if (!origin) given.reject("what a modifier is must be sky, sea, sun or ship");
+                split_settings(options).modifiers.push_back({*origin, given.text(1)});
+            },
+            "for -split: what surfaces of this modifier are; sources are sky or sea, narrow ones the sun, "
+            "all "
+            "else is ship")
+        .named("sky|sea|sun|ship modifier")
+        .ours();
+}
+
 void add_output_rows(OptionTable& table, RpictOptions& options) {
     add_spectrum_row(table, options.color, options.render.channel_count).unlisted().ours().help =
         "write RADIANCE's spectral format, one value a channel";
@@ -43,6 +86,7 @@ void add_output_rows(OptionTable& table, RpictOptions& options) {
               "file for the standard errors of the pixels' values, .exr; needs -spp 2 or more")
         .named("file.exr")
         .ours();
+    add_split_rows(table, options);
     table
         .custom(
             "-S", "i", [&options](const OptionValues& given) { options.first_number = given.integer(0); },

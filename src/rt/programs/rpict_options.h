@@ -27,6 +27,7 @@ struct RpictOptions {
     std::string output;             ///< -o: empty means the standard output
     std::string depth_output;       ///< -z
     std::string error_output;       ///< -se
+    std::string split_output;       ///< -split
     int first_number = 0;           ///< -S: of the first picture of a sequence; 0 or less: there is none
     std::string recover;            ///< -r, -ro: an unfinished picture, or with -S its number
 

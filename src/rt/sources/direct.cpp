@@ -14,6 +14,7 @@
 #include "rt/photons/photon_maps.h"
 #include "rt/scratch.h"
 #include "rt/sources/source_aim.h"
+#include "rt/split/split.h"
 #include "rt/tracer.h"
 
 namespace infra {
@@ -105,6 +106,7 @@ bool Tracer::source_value(Contribution& contribution, const Interaction& at) {
     Interaction seen(ray);
     if (!view_source(seen)) return false;
     contribution.distance = seen.distance;
+    if (split_) split_->arrive(scene_.shining_surface(contribution.source), seen.radiance);
     contribution.value = seen.radiance * contribution.coefficient;
     contribution.brightness = contribution.value.brightness();
     return contribution.brightness > 0;
@@ -147,6 +149,7 @@ bool Tracer::test_shadow(Contribution& contribution, const Interaction& at) {
         if (arrived) return true;
         if (met.radiance.mean() <= tiny) return false;
         if (met.medium) participate(met);
+        if (split_) split_->arrive(scene_.shining_surface(contribution.source), met.radiance);
         contribution.value = met.radiance * contribution.coefficient;
         return true;
     }

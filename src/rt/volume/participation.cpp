@@ -10,6 +10,7 @@
 #include "rt/photons/photon_maps.h"
 #include "rt/scratch.h"
 #include "rt/sources/source_aim.h"
+#include "rt/split/split.h"
 #include "rt/tracer.h"
 #include "rt/volume/henyey_greenstein.h"
 
@@ -64,6 +65,7 @@ void Tracer::add_scattered(int source, Interaction& at) {
         if (before.maximum() <= invisible) return;
         Spectrum arriving(at.channels());
         if (!light_at_place(source, distance, at, arriving)) continue;
+        if (split_) split_->into_path(arriving);
         at.radiance.add_scaled(arriving * scattering * before, static_cast<float>(at.distance / places));
     }
 }
