@@ -62,9 +62,7 @@ def write(folder, name, text):
     return name
 
 
-def panels_scene(folder, scale):
-    """The validation's sky, sea and squares, with materials of RADIANCE: glow, plastic, metal, rough metal, mixtures."""
-    materials = """\
+PANEL_MATERIALS = """\
 void glow panel_1  0 0 4 37.35 37.35 37.35 0
 void plastic panel_2  0 0 5 1 1 1 0 0
 void metal panel_3  0 0 5 1 1 1 1 0
@@ -73,9 +71,14 @@ void metal panel_5  0 0 5 .5 .5 .5 1 0
 void mixfunc panel_6  4 panel_2 panel_3 .5 . 0 0
 void plastic panel_7  0 0 5 .5 .5 .5 .2 .15
 """
-    squares = "".join(f"panel_{k + 1} polygon square_{k + 1} 0 0 12 {1.1 * k:g} 0 0 {1.1 * k + 1:g} 0 0 "
-                      f"{1.1 * k + 1:g} 0 1 {1.1 * k:g} 0 1\n" for k in range(7))
-    write(folder, "panels_plain.rad", materials + squares)
+SEVEN_PANELS = PANEL_MATERIALS + "".join(
+    f"panel_{k + 1} polygon square_{k + 1} 0 0 12 {1.1 * k:g} 0 0 {1.1 * k + 1:g} 0 0 {1.1 * k + 1:g} 0 1 {1.1 * k:g} 0 1\n"
+    for k in range(7))
+
+
+def panels_scene(folder, scale):
+    """The validation's sky, sea and squares, with materials of RADIANCE: glow, plastic, metal, rough metal, mixtures."""
+    write(folder, "panels_plain.rad", SEVEN_PANELS)
     generator = random.Random(7)
     count = round(20000 * scale)
     write_rays(os.path.join(folder, "panels.rays"),

@@ -325,6 +325,14 @@ void Tracer::trace_mirror(const Scattering& scattering, Interaction& at) {
     if (scattering.image_behind) at.mirrored_distance += image.apparent_distance();
 }
 
+// Spreads the direction of a ray that is about to be scattered, if it is the first one of its path.
+void Tracer::spread_scattering(const Interaction& at, std::uint16_t kind, int sample) {
+    if (!spreads_ || at.ray->is(ambient_rays | lobe_rays)) return;
+    const auto place = static_cast<std::uint64_t>(at.ray->lineage) << 16 | kind;
+    spread(
+        seed_of(place, static_cast<std::uint64_t>(at.ray->level) << 32 | static_cast<std::uint32_t>(sample)));
+}
+
 // Number of rays for a lobe: as many as -lw leaves each of them heavy enough.
 int Tracer::lobe_ray_count(const Lobe& lobe, const Interaction& at) const {
     const int wanted = lobe.sample_count(at.weight);
@@ -337,7 +345,7 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     Ray child(at.channels());
     const int count = lobe_ray_count(lobe, at);
     std::optional<GuidedShare> guided;
-    if (guide_ && lobe.exact(count)) guided.emplace(*this, at.point, at.weight);
+    if (guide_ && lobe.exact(count)) guided.emplace(*this, at, lobe.kind, at.weight);
     if (!spawn(child, lobe.kind, at, &lobe.coefficient)) {
         const bool by_chance = settings_.max_reflections <= 0;
         if (guided && by_chance) guide_lobe(lobe, count, *guided, at);
@@ -351,7 +359,9 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     const int most_draws = lobe.redraws ? count * Lobe::most_redraws : count;
     int draws = 0, traced = 0;
     for (; traced < count && draws < most_draws; ++draws) {
+        spread_scattering(at, lobe.kind, draws);
         const LobeDraw draw = lobe.sample(random_, draws, count);
+        random_.choose_no_more();
         if (draw.lost != 0 && at.blackbody) {  // not reflected, so absorbed
             if (lobe.colored) lobe.tint(draw.wi, tint);
             sum.add_scaled(*at.blackbody * child.coefficient * tint, static_cast<float>(draw.lost));

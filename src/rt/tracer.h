@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "cal/evaluator.h"
+#include "common/owen_sobol.h"
 #include "common/random.h"
 #include "rt/compile/compiled_scene.h"
 #include "rt/ray.h"
@@ -40,7 +41,24 @@ class Tracer {
     ~Tracer();
 
     /// Begins the random stream of a primary ray.
-    void start_stream(std::uint64_t index) { random_ = RandomStream(seed_, index); }
+    void start_stream(std::uint64_t index) {
+        random_ = RandomStream(seed_, index);
+        spreads_ = false;
+    }
+    /// The same for ray `number` of several whose mean is wanted. What is drawn for them up to the first
+    /// scattering, they included, is spread over them by sequences of low discrepancy that `sequence` names.
+    void start_stream(std::uint64_t index, std::uint64_t sequence, std::uint32_t number) {
+        start_stream(index);
+        spreads_ = true;
+        sequence_ = seed_of(seed_, sequence);
+        number_ = number;
+    }
+    /// Takes the next two random numbers from the sequence of this place in the path of a ray, if there is
+    /// one.
+    ///   place  what they are drawn for; another for everything that is drawn for one ray
+    void spread(std::uint64_t place) {
+        if (spreads_) random_.choose(owen_sobol_point(number_, seed_of(sequence_, place)));
+    }
     RandomStream& random() { return random_; }
 
     /// Interpolates diffuse interreflection among values of this cache, and adds new ones; nullptr, as at the
@@ -115,6 +133,7 @@ class Tracer {
     void add_thermal_emission(const Scattering& scattering, Interaction& at);
     void trace_mirror(const Scattering& scattering, Interaction& at);
     void trace_through(const Scattering& scattering, Interaction& at);
+    void spread_scattering(const Interaction& at, std::uint16_t kind, int sample);
     int lobe_ray_count(const class Lobe& lobe, const Interaction& at) const;
     void trace_lobe(const class Lobe& lobe, Interaction& at);
     void guide_lobe(const class Lobe& lobe, int count, const class GuidedShare& guided, Interaction& at);
@@ -148,7 +167,7 @@ class Tracer {
     void add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at);
     bool sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum);
     bool sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spectrum& sum);
-    bool sample_cell(Hemisphere& half, int cell, Interaction& at, Spectrum& radiance);
+    bool sample_cell(Hemisphere& half, int cell, int again, Interaction& at, Spectrum& radiance);
     void turn_upwards(const Hemisphere& half, Vec3& direction);
     bool spawn_ambient(Hemisphere& half, const Interaction& at);
     void guide_hemisphere(const Hemisphere& half, const Spectrum& coefficient, Interaction& at,
@@ -166,6 +185,9 @@ class Tracer {
     const RenderSettings& settings_;
     std::uint64_t seed_;
     RandomStream random_;
+    bool spreads_ = false;  // what is drawn is spread over the rays of a pixel:
+    std::uint64_t sequence_ = 0;
+    std::uint32_t number_ = 0;
     cal::Evaluator evaluator_;
     IrradianceCache* irradiance_cache_ = nullptr;
     const Guide* guide_;  // where rays are sent besides, nullptr: nowhere

@@ -83,5 +83,33 @@ TEST_F(StandardErrors, of_one_sample_are_the_picture_as_ever) {
     EXPECT_EQ(read_picture(folder.path("one.exr")).pixels, read_picture(folder.path("ever.exr")).pixels);
 }
 
+// Under a smooth sky 256 samples in 16 replicas do better than 16 times as many independent ones would: half
+// the deviation that 1/sqrt(n) promises, and a third in fact.
+TEST_F(StandardErrors, samples_of_a_pixel_are_spread) {
+    folder.write("sky.cal", "bright = 1 + Dz * Dz + .5 * Dx;\n");
+    folder.write("plate.rad",
+                 "void brightfunc varied 2 bright sky.cal 0 0\nvaried glow above 0 0 4 1 1 1 0\n"
+                 "above source sky 0 0 4 0 0 1 180\nvoid plastic white 0 0 5 .7 .7 .7 0 0\n"
+                 "white polygon plate 0 0 12 -9 -9 0 9 -9 0 9 9 0 -9 9 0\n");
+    const auto deviation = [&](int samples) {
+        const Outcome result = test::run(
+            folder,
+            "oconv plate.rad > plate.oct && rpict -w -vp 0 0 5 -vd 0 0 -1 -vu 0 1 0 -x 24 -y 24 -aa 0 -ab 1 "
+            "-ad 1 -as 0 -lw 1e-6 -o p.exr -spp " +
+                std::to_string(samples) + " plate.oct");
+        EXPECT_EQ(result.status, 0) << result.err;
+        const Picture picture = read_picture(folder.path("p.exr"));
+        double sum = 0, squares = 0;
+        for (const float value : picture.pixels) {
+            sum += static_cast<double>(value);
+            squares += static_cast<double>(value) * static_cast<double>(value);
+        }
+        const auto count = static_cast<double>(picture.pixels.size());
+        return std::sqrt(squares / count - sum * sum / (count * count));
+    };
+    const double independent = deviation(16) / std::sqrt(256.0 / 16);
+    EXPECT_LT(deviation(256), 0.5 * independent);
+}
+
 }  // namespace
 }  // namespace infra

@@ -162,7 +162,7 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
     half.divisions = std::clamp(static_cast<int>(std::sqrt(settings_.ambient_divisions * weight) + 0.5), 1,
                                 most_divisions);
     half.lay_frame();
-    if (guide_) half.guided.emplace(*this, at.point, at.weight);
+    if (guide_) half.guided.emplace(*this, at, half.kind, at.weight);
     const int cell_count = half.divisions * half.divisions;
     half.share *= 1.0f / static_cast<float>(cell_count);
     const double ray_weight = at.weight * half.share.maximum();
@@ -178,7 +178,7 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
     int traced = 0;
     double weights = 0;
     for (int cell = 0; cell < cell_count; ++cell)
-        if (sample_cell(half, cell, at, radiance)) {
+        if (sample_cell(half, cell, 0, at, radiance)) {
             sum.add_scaled(radiance, static_cast<float>(half.weight));
             weights += half.weight;
             ++traced;
@@ -202,9 +202,10 @@ void Tracer::guide_hemisphere(const Hemisphere& half, const Spectrum& coefficien
     }
 }
 
-// One ray through a random place of a cell.
-bool Tracer::sample_cell(Hemisphere& half, int cell, Interaction& at, Spectrum& radiance) {
+// Ray number `again`, from 0, through a random place of a cell.
+bool Tracer::sample_cell(Hemisphere& half, int cell, int again, Interaction& at, Spectrum& radiance) {
     const int n = half.divisions;
+    spread_scattering(at, half.kind, again * n * n + cell);
     const double x = (cell / n + random_.uniform()) / n;
     const double y = (cell % n + random_.uniform()) / n;
     return trace_ambient(half, x, y, at, radiance);
@@ -220,7 +221,7 @@ bool Tracer::sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spe
     int traced = 0;
     for (int c = 0; c < cell_count; ++c) {
         HemisphereCell& cell = cells[static_cast<std::size_t>(c)];
-        if (!sample_cell(half, c, at, cell.mean)) continue;
+        if (!sample_cell(half, c, 0, at, cell.mean)) continue;
         cell.brightness = cell.mean.brightness();
         cell.mean *= static_cast<float>(half.weight);
         cell.weight = static_cast<float>(half.weight);
@@ -236,7 +237,7 @@ bool Tracer::sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spe
             const int wanted = static_cast<int>(cell.variance / remaining * extra + random_.uniform());
             remaining -= cell.variance;
             for (int k = 1; k <= wanted && extra > 0; ++k, --extra) {
-                if (!sample_cell(half, c, at, radiance)) break;
+                if (!sample_cell(half, c, k, at, radiance)) break;
                 const float share = 1.0f / static_cast<float>(k + 1);
                 cell.mean *= static_cast<float>(k) * share;
                 cell.mean.add_scaled(radiance, static_cast<float>(half.weight) * share);

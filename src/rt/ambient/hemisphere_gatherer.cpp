@@ -44,7 +44,8 @@ HemisphereGatherer::HemisphereGatherer(Tracer& tracer, Interaction& at, const Ir
       place_(place),
       kind_(kind),
       weight_(value_weight(place)),
-      others_(tracer.random_) {
+      others_(tracer.random_),
+      spreads_(tracer.spreads_) {
     make_frame(place.normal, u_, v_);
     divisions_ = std::clamp(static_cast<int>(std::sqrt(tracer.settings_.ambient_divisions * weight_) + 0.5),
                             fewest_divisions, most_divisions);
@@ -53,11 +54,13 @@ HemisphereGatherer::HemisphereGatherer(Tracer& tracer, Interaction& at, const Ir
     if (views.size() <= level) views.resize(level + 1);
     view_ = std::move(views[level]);  // its memory; deeper levels may move the list
     tracer_.random_ = RandomStream(tracer.seed_, name_of(place.point, place.level));
-    if (tracer.guide_) guided_.emplace(tracer, place.point, weight_);
+    tracer_.spreads_ = false;
+    if (tracer.guide_) guided_.emplace(tracer, at_, kind, weight_);
 }
 
 HemisphereGatherer::~HemisphereGatherer() {
     tracer_.random_ = others_;
+    tracer_.spreads_ = spreads_;
     tracer_.scratch_->views[static_cast<std::size_t>(place_.level)] = std::move(view_);
 }
 

@@ -49,6 +49,7 @@ class HemisphereGatherer {
     std::optional<GuidedShare> guided_;
     HemisphereView view_;
     RandomStream others_;  // the ray's random stream, until the end
+    bool spreads_;         // and whether it is spread over a pixel's samples
 };
 
 }  // namespace infra

@@ -6,8 +6,8 @@
 
 namespace infra {
 
-GuidedShare::GuidedShare(Tracer& tracer, const Vec3& point, double weight)
-    : tracer_(tracer), lookout_(*tracer.guide_, point) {
+GuidedShare::GuidedShare(Tracer& tracer, const Interaction& at, std::uint16_t kind, double weight)
+    : tracer_(tracer), at_(at), kind_(kind), lookout_(*tracer.guide_, at.point) {
     const double wanted = std::min<double>(tracer.settings().guided_samples * weight, most_samples);
     const double whole = std::floor(wanted);
     count_ = static_cast<int>(whole) + (tracer.random().uniform() < wanted - whole ? 1 : 0);

@@ -9,13 +9,14 @@ namespace infra {
 
 class GuidedShare {
   public:
-    /// Decides on -gs rays for a ray of weight 1, fewer for lighter ones, by chance where that is no whole
-    /// number. The tracer must have a guide.
-    GuidedShare(Tracer& tracer, const Vec3& point, double weight);
+    /// Decides on -gs rays of this kind for a ray of weight 1, fewer for lighter ones, by chance where that
+    /// is no whole number. The tracer must have a guide.
+    GuidedShare(Tracer& tracer, const Interaction& at, std::uint16_t kind, double weight);
 
     int count() const { return count_; }
     /// Direction of ray `index` of them, each from a stratum of its own.
     Vec3 draw(int index) const {
+        tracer_.spread_scattering(at_, kind_ | primary_ray, index);
         const double u = (index + tracer_.random().uniform()) / count_;
         return lookout_.sample(u, tracer_.random().uniform());
     }
@@ -34,6 +35,8 @@ class GuidedShare {
 
   private:
     Tracer& tracer_;
+    const Interaction& at_;
+    std::uint16_t kind_;
     Lookout lookout_;
     int count_;
 };

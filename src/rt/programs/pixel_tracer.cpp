@@ -9,6 +9,12 @@
 #include "common/views/lens.h"
 
 namespace infra {
+namespace {
+
+/// Places of draws that are spread over the samples of a pixel; those of scattering are others.
+enum Place : std::uint64_t { in_pixel = 1, on_lens };
+
+}  // namespace
 
 PixelTracer::PixelTracer(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
                          Frame& frame)
@@ -16,9 +22,8 @@ PixelTracer::PixelTracer(const CompiledScene& scene, const RenderSettings& setti
       camera_(camera),
       frame_(frame),
       sample_(scene.channel_count()),
-      mean_(scene.channel_count()),
-      total_(scene.channels().bands()),
-      deviation_(scene.channels().bands()) {}
+      sum_(scene.channel_count()),
+      replicas_(std::size_t{most_replicas} * scene.channels().bands()) {}
 
 /// Place within a pixel, 0.5 is its middle.
 double PixelTracer::jittered() { return 0.5 + camera_.pixel_jitter * (0.5 - tracer_.random().uniform()); }
@@ -93,17 +98,20 @@ double PixelTracer::trace_past(const Interaction& source) {
     return 0;
 }
 
-/// One ray, which leaves its radiance in sample_. Returns the distance of what it sees; black and 0 where the
-/// view has no ray.
-double PixelTracer::trace_sample(int column, int row, std::uint64_t number) {
+/// One ray of the stream that the tracer is at, which leaves its radiance in sample_. Returns the distance of
+/// what it sees; black and 0 where the view has no ray.
+double PixelTracer::trace_sample(int column, int row) {
     const Picture& picture = frame_.picture;
     std::fill(sample_.begin(), sample_.end(), 0.0f);
-    tracer_.start_stream(number);
+    tracer_.spread(in_pixel);
     const double x = (column + jittered()) / picture.width;
     const double y = (picture.height - 1 - row + jittered()) / picture.height;
     Vec3 origin, direction;
     double reach = 0;
-    if (!find_ray(x, y, origin, direction, reach)) return 0;
+    tracer_.spread(on_lens);
+    const bool found = find_ray(x, y, origin, direction, reach);
+    tracer_.random().choose_no_more();
+    if (!found) return 0;
     Ray ray = tracer_.primary(origin, direction, std::isfinite(reach) ? reach : 0);
     ray.fore = camera_.view.fore;
     Interaction at(ray);
@@ -114,34 +122,51 @@ double PixelTracer::trace_sample(int column, int row, std::uint64_t number) {
     return at.apparent_distance();
 }
 
-// Mean and deviation by Welford's recurrence.
+/// Standard error of a pixel's mean from how far its replicas are apart.
+///   sizes  samples of each replica
+double PixelTracer::standard_error(int band, std::span<const int> sizes) const {
+    const auto sum_of = [&](std::size_t replica) { return replicas_[replica * frame_.bands() + band]; };
+    double sum = 0;
+    for (std::size_t r = 0; r < sizes.size(); ++r) sum += sum_of(r);
+    const double samples = camera_.samples, mean = sum / samples;
+    double squares = 0;
+    for (std::size_t r = 0; r < sizes.size(); ++r) {
+        const double off = sum_of(r) - sizes[r] * mean;
+        squares += off * off;
+    }
+    const auto count = static_cast<double>(sizes.size());
+    return std::sqrt(squares * count / (count - 1)) / samples;
+}
+
 void PixelTracer::trace(int column, int row) {
     const std::size_t index = static_cast<std::size_t>(row) * frame_.picture.width + column;
     if (!frame_.traced.empty() && frame_.traced[index]) return;
-    const auto samples = static_cast<std::uint64_t>(camera_.samples);
-    std::fill(mean_.begin(), mean_.end(), 0.0);
-    std::fill(total_.begin(), total_.end(), 0.0);
-    std::fill(deviation_.begin(), deviation_.end(), 0.0);
-    for (std::uint64_t s = 0; s < samples; ++s) {
+    const int samples = camera_.samples, replica_count = std::min(samples, most_replicas);
+    const std::size_t bands = frame_.bands();
+    std::fill(sum_.begin(), sum_.end(), 0.0);
+    std::fill(replicas_.begin(), replicas_.end(), 0.0);
+    std::array<int, most_replicas> sizes{};
+    for (int s = 0; s < samples; ++s) {
         throw_if_interrupted();
-        const double depth = trace_sample(column, row, index * samples + s);
+        const std::uint64_t stream = index * static_cast<std::uint64_t>(samples) + s;
+        const int replica = s % replica_count, number = s / replica_count;
+        if (samples > replica_count)
+            tracer_.start_stream(stream, index * most_replicas + replica, static_cast<std::uint32_t>(number));
+        else
+            tracer_.start_stream(stream);
+        const double depth = trace_sample(column, row);
         if (s == 0 && !frame_.depth.empty()) frame_.depth[index] = static_cast<float>(depth);
-        const auto number = static_cast<double>(s + 1);
-        for (std::size_t c = 0; c < sample_.size(); ++c)
-            mean_[c] += (static_cast<double>(sample_[c]) - mean_[c]) / number;
-        if (frame_.error.empty()) continue;
-        for (std::size_t b = 0; b < total_.size(); ++b) {
-            const auto value = static_cast<double>(frame_.total(sample_, static_cast<int>(b)));
-            const double step = value - total_[b];
-            total_[b] += step / number;
-            deviation_[b] += step * (value - total_[b]);
-        }
+        for (std::size_t c = 0; c < sample_.size(); ++c) sum_[c] += static_cast<double>(sample_[c]);
+        for (std::size_t b = 0; b < bands; ++b)
+            replicas_[replica * bands + b] += static_cast<double>(frame_.total(sample_, static_cast<int>(b)));
+        ++sizes[replica];
     }
-    std::ranges::copy(mean_, frame_.picture.at(column, row).begin());
+    const std::span<float> pixel = frame_.picture.at(column, row);
+    for (std::size_t c = 0; c < sum_.size(); ++c) pixel[c] = static_cast<float>(sum_[c] / samples);
     if (!frame_.error.empty())
-        for (std::size_t b = 0; b < deviation_.size(); ++b)
-            frame_.error[index * deviation_.size() + b] =
-                static_cast<float>(std::sqrt(deviation_[b] / static_cast<double>(samples * (samples - 1))));
+        for (std::size_t b = 0; b < bands; ++b)
+            frame_.error[index * bands + b] = static_cast<float>(
+                standard_error(static_cast<int>(b), std::span(sizes).first(replica_count)));
     if (!frame_.traced.empty()) frame_.traced[index] = 1;
 }
 

@@ -40,14 +40,20 @@ struct Camera {
     /// are seen.
     std::vector<int> passed_sources;
     double pixel_jitter = 0;  ///< 0..1, share of the pixel over which its sample is spread
-    int samples = 1;          ///< of a pixel, whose mean it is
+    int samples = 1;          ///< of a pixel, whose mean it is; in replicas, see PixelTracer
 };
 
 /// Traces pixels of a frame. The value of a pixel is a function of its place alone: neither the order nor the
 /// thread in which pixels are traced matters. One per thread; threads may share a frame if they trace
 /// different pixels of it.
+///
+/// The samples of a pixel are up to 16 replicas of a sequence of low discrepancy, independent of each other:
+/// what samples of one replica have in common makes their mean better than that of independent samples, and
+/// what their error is shows in how the replicas' means differ.
 class PixelTracer {
   public:
+    static constexpr int most_replicas = 16;
+
     /// Everything outlives this.
     PixelTracer(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
                 Frame& frame);
@@ -60,7 +66,8 @@ class PixelTracer {
 
   private:
     double jittered();
-    double trace_sample(int column, int row, std::uint64_t number);
+    double trace_sample(int column, int row);
+    double standard_error(int band, std::span<const int> sizes) const;
     bool find_ray(double x, double y, Vec3& origin, Vec3& direction, double& reach);
     int passed_source(int surface) const;
     double trace_past(const Interaction& source);
@@ -69,10 +76,9 @@ class PixelTracer {
     Tracer tracer_;
     const Camera& camera_;
     Frame& frame_;
-    std::vector<float> sample_;  // the last one
-    std::vector<double> mean_;   // of a pixel's samples
-    std::vector<double> total_,
-        deviation_;  // and of their sums over the components: sum of squared deviations
+    std::vector<float> sample_;     // the last one
+    std::vector<double> sum_;       // of a pixel's samples
+    std::vector<double> replicas_;  // sums over a replica's samples and the components: replicas x bands
 };
 
 }  // namespace infra

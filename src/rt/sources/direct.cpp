@@ -79,7 +79,9 @@ void Tracer::consider_source(int number, const Scattering& scattering, const Int
     divide_source(source, at.point, at.weight, settings_.source_size_ratio, parts);
     for (int p = 0; p < parts.count; ++p) {
         const Part& part = parts.part[p];
+        if (settings_.source_jitter > 0) spread_scattering(at, reflected_shadow, (number << 16) + p);
         const Vec3 place = place_on(source, part, parts.count == 1, settings_.source_jitter, random_);
+        random_.choose_no_more();
         SourceAim aim;
         if (aim_at(source, at.point, place, part.half[0] * part.half[1], aim))
             add_sample(number, aim, scattering, at);
