@@ -158,6 +158,13 @@ ExprId Library::compile(std::string_view text, const Location& start, std::strin
     return state_->queue(std::move(request));
 }
 
+std::optional<double> Library::constant(std::string_view text, const Location& start,
+                                        std::string_view context) {
+    const NodePtr node = state_->parser(text, start, context).expression();
+    if (!node->is_number()) return std::nullopt;
+    return node->number;
+}
+
 ExprId Library::compile_function(std::string_view name, int argument_count, const Location& where,
                                  std::string_view context) {
     Request request;

@@ -56,6 +56,11 @@ class Library {
     /// evaluation reaches it.
     ExprId compile(std::string_view text, const Location& start, std::string_view context = {});
 
+    /// The value of an expression of nothing but constants; nothing if it is another. throws Error for bad
+    /// syntax.
+    std::optional<double> constant(std::string_view text, const Location& start,
+                                   std::string_view context = {});
+
     /// Queues a function to be called by Evaluator::evaluate with `argument_count` arguments.
     ExprId compile_function(std::string_view name, int argument_count, const Location& where,
                             std::string_view context = {});

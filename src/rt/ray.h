@@ -60,6 +60,9 @@ struct Ray {
     PlacedShape leaving;             ///< flat shape that the ray starts on and so cannot meet
     double weight = 1;               ///< share of the primary ray's value that this one can still change
     Spectrum coefficient;            ///< of this ray's radiance in its parent's
+    double sample_weight = 1;        ///< a further factor on that: of a sample that is not like all others
+    const Spectrum* tint = nullptr;  ///< and one a channel, nullptr: 1
+    bool starts_within = false;      ///< before its parent's end: the coefficient knows that medium's part
     const Medium* medium = nullptr;  ///< what it starts in, nullptr: nothing
     const Cut* cut = nullptr;     ///< what antimatter takes out of its way (volume/cut.h), nullptr: nothing
     int level = 0;                ///< reflections so far

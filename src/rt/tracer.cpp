@@ -357,6 +357,8 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
     }
     Spectrum sum(at.channels()), tint(at.channels(), 1.0f);
     const int most_draws = lobe.redraws ? count * Lobe::most_redraws : count;
+    const bool by_draws = lobe.redraws && lobe.counts_draws && count > 1;
+    if (observer_ && by_draws) observer_->begin_sum();
     int draws = 0, traced = 0;
     for (; traced < count && draws < most_draws; ++draws) {
         spread_scattering(at, lobe.kind, draws);
@@ -369,19 +371,23 @@ void Tracer::trace_lobe(const Lobe& lobe, Interaction& at) {
         if (draw.weight <= 0) continue;
         ++traced;
         child.direction = draw.wi;
+        child.sample_weight = draw.weight;
+        if (guided) child.sample_weight *= guided->weight_of_others(draw.wi, count * lobe.pdf(draw.wi));
+        if (lobe.colored) [[unlikely]] {
+            lobe.tint(draw.wi, tint);
+            child.tint = &tint;
+        }
         Interaction seen(child);
         trace(seen);
         seen.radiance *= child.coefficient;
-        if (lobe.colored) [[unlikely]] {
-            lobe.tint(draw.wi, tint);
+        if (lobe.colored) [[unlikely]]
             seen.radiance *= tint;
-        }
-        double weight = draw.weight;
-        if (guided) weight *= guided->weight_of_others(draw.wi, count * lobe.pdf(draw.wi));
-        sum.add_scaled(seen.radiance, static_cast<float>(weight));
+        sum.add_scaled(seen.radiance, static_cast<float>(child.sample_weight));
     }
-    if (lobe.redraws && lobe.counts_draws && count > 1)
-        sum *= static_cast<float>(count) / static_cast<float>(draws);
+    const float per_draw = static_cast<float>(count) / static_cast<float>(draws);
+    if (observer_ && by_draws) observer_->end_sum(double(per_draw));
+    if (by_draws)
+        sum *= per_draw;
     else if (lobe.redraws && at.blackbody)
         sum.add_scaled(*at.blackbody * child.coefficient, static_cast<float>(count - traced));
     at.radiance += sum;

@@ -27,12 +27,26 @@ class Scattering;
 class Split;
 struct SourceAim;
 
-/// Sees every ray once its radiance is known (rtrace -ot and -oT). The parents of `at` are alive and can be
-/// followed.
+/// Sees every ray once its radiance is known (rtrace -ot and -oT, rcontrib). The parents of `at` are alive
+/// and can be followed.
 class RayObserver {
   public:
     virtual ~RayObserver() = default;
     virtual void observe(const Interaction& at) = 0;
+
+    /// Whether a ray that has arrived at this surface, a light source, need be observed: asked with
+    /// ShadowRays::arriving alone.
+    virtual bool watches(int) const { return true; }
+    /// What is observed from the one call to the other is part of a sum that is multiplied in the end.
+    virtual void begin_sum() {}
+    virtual void end_sum(double /*factor*/) {}
+};
+
+/// Which of the rays towards light sources an observer sees.
+enum class ShadowRays {
+    stopped,   ///< those that meet something else on their way
+    all,       ///< also those that nothing blocks
+    arriving,  ///< those that bring light, and what it passes on its way: blocked ones cost no more than ever
 };
 
 class Tracer {
@@ -79,10 +93,9 @@ class Tracer {
 
     /// Rays traced so far: primary, secondary and shadow rays.
     std::uint64_t ray_count() const { return ray_count_; }
-    /// observe_shadows: also rays towards light sources that nothing blocks.
-    void set_observer(RayObserver* observer, bool observe_shadows) {
+    void set_observer(RayObserver* observer, ShadowRays shadows = ShadowRays::stopped) {
         observer_ = observer;
-        observe_shadows_ = observe_shadows;
+        observed_shadows_ = shadows;
     }
     /// Radiances that were not finite, replaced by 0 when they were met.
     std::uint64_t bad_values() const { return bad_values_; }
@@ -142,8 +155,9 @@ class Tracer {
     friend class GuidedShare;
     /// One ray of this coefficient towards what is bright, unless it is too light and unlucky.
     ///   returns  false if it was not traced; else radiance holds what it adds
+    ///   sign     with which the caller counts it, 1 or -1
     bool trace_guided(std::uint16_t kind, const Spectrum& coefficient, const Vec3& direction,
-                      const Interaction& at, Spectrum& radiance);
+                      const Interaction& at, Spectrum& radiance, double sign = 1);
 
     // ambient/cached_ambient.cpp
     friend class HemisphereGatherer;  // ambient/hemisphere_gatherer.h
@@ -160,7 +174,8 @@ class Tracer {
     void participate(Interaction& at);
     void add_scattered(int source, Interaction& at);
     void add_scattered_photons(const PhotonMaps& maps, Interaction& at);
-    bool light_at_place(int source, double distance, const Interaction& at, Spectrum& result);
+    bool light_at_place(int source, double distance, const Spectrum& share, const Interaction& at,
+                        Spectrum& result);
 
     // ambient/hemisphere.cpp
     struct Hemisphere;
@@ -180,6 +195,7 @@ class Tracer {
     void add_sample(int source, const SourceAim& aim, const Scattering& scattering, const Interaction& at);
     bool source_value(Contribution& contribution, const Interaction& at);
     bool test_shadow(Contribution& contribution, const Interaction& at);
+    void show_arrival(const Ray& ray);
 
     const CompiledScene& scene_;
     const RenderSettings& settings_;
@@ -193,7 +209,7 @@ class Tracer {
     const Guide* guide_;  // where rays are sent besides, nullptr: nowhere
     const Split* split_;  // of radiance into components, nullptr: there is one
     RayObserver* observer_ = nullptr;
-    bool observe_shadows_ = false;
+    ShadowRays observed_shadows_ = ShadowRays::stopped;
     const char* stack_base_ = nullptr;  // where the primary ray under way was started
     std::uint64_t ray_count_ = 0;
     std::uint64_t bad_values_ = 0;

@@ -42,7 +42,7 @@ struct Tracer::Hemisphere {
     std::optional<GuidedShare> guided;
 
     void lay_frame();
-    void balance(Spectrum& sum, int traced, double weights) const;
+    double balance(int traced, double weights) const;
     double density(const Vec3& wi) const;
     double share_of(const Vec3& wi) const;
     Vec3 to_scene(const Vec3& local) const { return u * local.x + v * local.y + axis * local.z; }
@@ -76,9 +76,8 @@ double Tracer::Hemisphere::share_of(const Vec3& wi) const {
 }
 
 // Weights have a mean of 1. Divided by what these came to, even light is free of noise.
-void Tracer::Hemisphere::balance(Spectrum& sum, int traced, double weights) const {
-    if (!tilt || traced == 0) return;
-    if (weights > 0.5 * traced) sum *= static_cast<float>(traced / weights);
+double Tracer::Hemisphere::balance(int traced, double weights) const {
+    return tilt && traced > 0 && weights > 0.5 * traced ? traced / weights : 1.0;
 }
 
 void Tracer::add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at) {
@@ -129,12 +128,13 @@ bool Tracer::trace_ambient(Hemisphere& half, double x, double y, Interaction& at
         child.direction = half.to_scene(cosine_direction(x, y));
         if (half.textured) turn_upwards(half, child.direction);
     }
+    double share = 1;
+    if (half.guided) share = half.guided->weight_of_others(child.direction, half.density(child.direction));
+    child.sample_weight = half.weight * share;
     Interaction seen(child);
     trace(seen);
     radiance = seen.radiance * child.coefficient;
-    if (half.guided)
-        radiance *=
-            static_cast<float>(half.guided->weight_of_others(child.direction, half.density(child.direction)));
+    if (half.guided) radiance *= static_cast<float>(share);
     return true;
 }
 
@@ -177,13 +177,16 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
     Spectrum radiance(at.channels());
     int traced = 0;
     double weights = 0;
+    if (observer_ && half.tilt) observer_->begin_sum();
     for (int cell = 0; cell < cell_count; ++cell)
         if (sample_cell(half, cell, 0, at, radiance)) {
             sum.add_scaled(radiance, static_cast<float>(half.weight));
             weights += half.weight;
             ++traced;
         }
-    half.balance(sum, traced, weights);
+    const double balance = half.balance(traced, weights);
+    if (observer_ && half.tilt) observer_->end_sum(balance);
+    if (balance != 1) sum *= static_cast<float>(balance);
     return traced > 0;
 }
 
@@ -197,8 +200,9 @@ void Tracer::guide_hemisphere(const Hemisphere& half, const Spectrum& coefficien
         if (!(density > 0)) continue;
         const double share = half.share_of(wi) / half.guided->total(wi, density);
         const Spectrum size = coefficient * static_cast<float>(std::fabs(share));
-        if (trace_guided(half.kind, size, wi, at, radiance))
-            sum.add_scaled(radiance, share < 0 ? -1.0f : 1.0f);
+        const double sign = share < 0 ? -1 : 1;
+        if (trace_guided(half.kind, size, wi, at, radiance, sign))
+            sum.add_scaled(radiance, static_cast<float>(sign));
     }
 }
 
@@ -250,7 +254,8 @@ bool Tracer::sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spe
         sum += cell.mean;
         weights += static_cast<double>(cell.weight);
     }
-    half.balance(sum, traced, weights);
+    const double balance = half.balance(traced, weights);
+    if (balance != 1) sum *= static_cast<float>(balance);
     scratch_->hemispheres[level] = std::move(cells);
     return traced > 0;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cal/library.h"
 #include "cal/program.h"
 #include "common/data/air_path.h"
 #include "common/spectra/channels.h"
@@ -28,7 +29,12 @@ namespace infra {
 struct FunctionDefinition {
     std::string text;
     bool is_file = false;
+    std::string context = {};  ///< its names are known within; those that end in a back-quote everywhere
 };
+
+/// Adds it to a library: scenes and programs with expressions of their own do so alike.
+///   throws  Error for bad syntax or a missing file
+void add_definition(cal::Library& functions, const FunctionDefinition& definition);
 
 class PhotonMaps;
 class Split;
@@ -53,6 +59,8 @@ class CompiledScene {
     const cal::Program& program() const { return *program_; }
     int surface_count() const { return static_cast<int>(surfaces_.surfaces.size()); }
     const Surface& surface(int i) const { return surfaces_[i]; }
+    int surface_count() const { return static_cast<int>(surfaces_.surfaces.size()); }
+    int finish_count() const { return static_cast<int>(surfaces_.finishes.size()); }
     /// Modifier and material of a surface.
     const Finish& finish(int surface) const { return surfaces_.finish(surface); }
     const std::vector<LightSource>& sources() const { return sources_; }

@@ -17,6 +17,13 @@
 
 namespace infra {
 
+void add_definition(cal::Library& functions, const FunctionDefinition& definition) {
+    if (definition.is_file)
+        functions.load_file(definition.text, {}, definition.context);
+    else
+        functions.define(definition.text, Location{"-e option", 1, 1}, definition.context);
+}
+
 class SceneCompiler {
   public:
     SceneCompiler(CompiledScene& target, const RenderSettings& settings)
@@ -35,12 +42,8 @@ class SceneCompiler {
                    {}} {}
 
     void run(const std::vector<FunctionDefinition>& definitions) {
-        for (const FunctionDefinition& definition : definitions) {
-            if (definition.is_file)
-                context_.functions.load_file(definition.text);
-            else
-                context_.functions.define(definition.text, Location{"-e option", 1, 1});
-        }
+        for (const FunctionDefinition& definition : definitions)
+            add_definition(context_.functions, definition);
         const ScenePart& part = out_.parts_.front();
         const SurfaceRange surfaces = add_surfaces(context_, part);
         finish_surfaces(context_, part, surfaces);

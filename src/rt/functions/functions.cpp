@@ -5,6 +5,7 @@
 #include "cal/ray_library.h"
 #include "common/format.h"
 #include "rt/compile/modifier_table.h"
+#include "rt/functions/hit_channel.h"
 #include "rt/tracer.h"
 
 namespace infra {
@@ -135,38 +136,12 @@ double FunctionCall::material_value(int number) const {
 
 double FunctionCall::channel_value(const void* self, int number) {
     const FunctionCall& view = *static_cast<const FunctionCall*>(self);
-    const Interaction& at = view.at_;
-    const double side = view.variables_ && view.variables_->tells_sides && at.flipped ? -1 : 1;
-    const auto& m = view.to_local_->matrix;
-    const double scale = view.to_local_->magnification();
-    if (number < 1) throw Error("illegal channel number $" + std::to_string(number), "a ray has $1 to $27");
-    if (number < cal::surface_normal) return view.local_direction(at.ray->direction, number - 1);
-    if (number < cal::intersection_point)
-        return side * view.local_direction(at.normal, number - cal::surface_normal);
-    if (number < cal::total_distance) {
-        const int i = number - cal::intersection_point;
-        return at.point.x * m[0][i] + at.point.y * m[1][i] + at.point.z * m[2][i] + m[3][i];
-    }
-    if (number == cal::total_distance) return (at.ray->path_before + at.distance) * scale;
-    if (number == cal::ray_dot) return side * std::clamp(at.cosine, -1.0, 1.0);
-    if (number == cal::world_scale) return scale;
-    if (number < cal::world_i) return m[3][number - cal::world_origin];
-    if (number < cal::world_j) return m[0][number - cal::world_i] / scale;
-    if (number < cal::world_k) return m[1][number - cal::world_j] / scale;
-    if (number < cal::shadow_distance) return m[2][number - cal::world_k] / scale;
-    if (number == cal::shadow_distance) return (at.distance + at.ray->shadow_before) * scale;
-    if (number == cal::local_u || number == cal::local_v) return at.local_uv[number - cal::local_u];
-    if (number >= cal::perturbed_normal && number < cal::light_direction) {
-        if (view.variables_) return view.material_value(number);
-        throw Error("NxP, RdotP and CrP are used where there are none",
-                    "*func and *data materials have them: plasfunc, BRTDfunc and their kin");
-    }
-    if (number >= cal::light_direction && number < cal::light_direction + 3) {
-        if (view.light_direction_)
-            return view.local_direction(*view.light_direction_, number - cal::light_direction);
-        throw Error("DxA, DyA and DzA are used where there are none", "prism1 and prism2 have them");
-    }
-    throw Error("illegal channel number $" + std::to_string(number), "a ray has $1 to $27");
+    if (number >= cal::perturbed_normal && number < cal::light_direction && view.variables_)
+        return view.material_value(number);
+    if (number >= cal::light_direction && number < cal::light_direction + 3 && view.light_direction_)
+        return view.local_direction(*view.light_direction_, number - cal::light_direction);
+    const double side = view.variables_ && view.variables_->tells_sides && view.at_.flipped ? -1 : 1;
+    return hit_channel(view.at_, *view.to_local_, side, number);
 }
 
 }  // namespace infra

@@ -14,7 +14,7 @@ GuidedShare::GuidedShare(Tracer& tracer, const Interaction& at, std::uint16_t ki
 }
 
 bool Tracer::trace_guided(std::uint16_t kind, const Spectrum& coefficient, const Vec3& direction,
-                          const Interaction& at, Spectrum& radiance) {
+                          const Interaction& at, Spectrum& radiance, double sign) {
     constexpr double above = 1.0001;  // of -lw, so that rounding ends no ray that was lucky
     Spectrum share = coefficient;
     const double weight = at.weight * static_cast<double>(coefficient.maximum());
@@ -27,6 +27,7 @@ bool Tracer::trace_guided(std::uint16_t kind, const Spectrum& coefficient, const
     if (!spawn(child, kind, at, &share)) return false;
     if (kind & ambient_rays) child.ambient_level = at.ray->ambient_level + 1;
     child.direction = direction;
+    child.sample_weight = sign;
     Interaction seen(child);
     trace(seen);
     radiance = seen.radiance * child.coefficient;

@@ -3,22 +3,10 @@
 #include <algorithm>
 
 #include "common/error.h"
+#include "rt/path_coefficient.h"
 
 namespace infra {
 namespace {
-
-/// Share of the primary ray's radiance that the radiance where this ray ends makes up, as a factor for each
-/// channel.
-Spectrum contribution(const Interaction& at) {
-    Spectrum product(at.channels(), 1.0f), left(at.channels());
-    for (const Interaction* link = &at; link; link = link->ray->parent) {
-        product *= link->ray->coefficient * static_cast<float>(link->share);
-        if (!link->medium) continue;
-        link->medium->transmittance(link->distance, left);
-        product *= left;
-    }
-    return product;
-}
 
 /// A shadow ray that was stopped on its way brings nothing.
 bool missed_its_source(const CompiledScene& scene, const Interaction& at) {
@@ -54,7 +42,7 @@ constexpr OutputLetter letters[] = {
      [](const Scene&, const Hit& at, Out& out) { out.real(at.direct_distance); }},
     {'v', "value", per_value, true, [](const Scene&, const Hit& at, Out& out) { out.radiance(at.radiance); }},
     {'V', "contribution", per_value, true,
-     [](const Scene&, const Hit& at, Out& out) { out.radiance(contribution(at) *= at.radiance); }},
+     [](const Scene&, const Hit& at, Out& out) { out.radiance(path_coefficient(at) *= at.radiance); }},
     {'l', "length", 1, true, [](const Scene&, const Hit& at, Out& out) { out.real(at.apparent_distance()); }},
     {'L', "first_length", 1, false, [](const Scene&, const Hit& at, Out& out) { out.real(at.distance); }},
     // Only meshes have local coordinates.
@@ -75,7 +63,7 @@ constexpr OutputLetter letters[] = {
     {'w', "weight", 1, false, [](const Scene&, const Hit& at, Out& out) { out.real(at.ray->weight); }},
     {'W', "coefficient", per_value, true,
      [](const Scene& scene, const Hit& at, Out& out) {
-         out.share(missed_its_source(scene, at) ? Spectrum(at.channels()) : contribution(at));
+         out.share(missed_its_source(scene, at) ? Spectrum(at.channels()) : path_coefficient(at));
      }},
     {'m', "modifier", 1, false,
      [](const Scene& scene, const Hit& at, Out& out) {

@@ -115,10 +115,10 @@ class RaySession {
         std::optional<TreePrinter> tree;
         if (spec_.has_tree()) {
             tree.emplace(scene_, spec_, options_.tree_filter, options_.output, converter_, text);
-            tracer.set_observer(&*tree, spec_.trace_sources);
+            tracer.set_observer(&*tree, spec_.trace_sources ? ShadowRays::all : ShadowRays::stopped);
         }
         if (request.length > 0) follow(tracer, at);
-        tracer.set_observer(nullptr, false);
+        tracer.set_observer(nullptr);
         if (spec_.primary.empty()) return;
 
         ValueWriter writer(options_.output, converter_, text);

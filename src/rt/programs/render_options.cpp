@@ -194,6 +194,27 @@ void add_photon_rows(OptionTable& table, RenderSettings& settings) {
         .optional_after(1)
         .named("file [bandwidth [largest]]")
         .differing("without -am the search radius is always that which RADIANCE starts from");
+    add_photon_search_rows(table, settings);
+}
+
+void add_seed_row(OptionTable& table, RenderSettings& settings) {
+    table
+        .custom(
+            "-seed", "i",
+            [&settings](const OptionValues& given) {
+                settings.seed = static_cast<std::uint64_t>(given.integer(0));
+            },
+            "number of the random streams: another one, other noise")
+        .named("number")
+        .at_least(0)
+        .ours();
+}
+
+void add_refused_rows(OptionTable& table) { table.unsupported("-features", "", "-help lists what there is"); }
+
+}  // namespace
+
+void add_photon_search_rows(OptionTable& table, RenderSettings& settings) {
     table
         .custom(
             "-am", "f",
@@ -216,23 +237,6 @@ void add_photon_rows(OptionTable& table, RenderSettings& settings) {
         .named("count")
         .differing("no effect: maps are held in memory");
 }
-
-void add_seed_row(OptionTable& table, RenderSettings& settings) {
-    table
-        .custom(
-            "-seed", "i",
-            [&settings](const OptionValues& given) {
-                settings.seed = static_cast<std::uint64_t>(given.integer(0));
-            },
-            "number of the random streams: another one, other noise")
-        .named("number")
-        .at_least(0)
-        .ours();
-}
-
-void add_refused_rows(OptionTable& table) { table.unsupported("-features", "", "-help lists what there is"); }
-
-}  // namespace
 
 Channels RenderOptions::channels() const {
     const Channels bands = band_channels();
@@ -271,11 +275,31 @@ RenderOptions rtrace_defaults() {
     return options;
 }
 
+RenderOptions rcontrib_defaults() {
+    RenderOptions options;
+    RenderSettings& settings = options.settings;
+    settings.shadow_threshold = 0;
+    settings.shadow_certainty = 0.75;
+    settings.source_jitter = 0.9;
+    settings.source_size_ratio = 0.2;
+    settings.direct_relays = 3;
+    settings.specular_threshold = 0.02;
+    settings.ambient_bounces = 1;
+    settings.ambient_accuracy = 0;
+    settings.ambient_resolution = 256;
+    settings.ambient_divisions = 350;
+    settings.ambient_super_samples = 0;
+    settings.max_reflections = -10;
+    settings.min_weight = 2e-3;
+    options.uncorrelated = true;
+    return options;
+}
+
 void add_warning_option(OptionTable& table, RenderOptions& options) {
     table.toggle("-w", &options.warnings, "warning messages");
 }
 
-void add_render_options(OptionTable& table, RenderOptions& options) {
+void add_transport_options(OptionTable& table, RenderOptions& options) {
     RenderSettings& settings = options.settings;
     table.toggle("-i", &settings.irradiance, "irradiance calculation");
     table
@@ -292,9 +316,17 @@ void add_render_options(OptionTable& table, RenderOptions& options) {
     add_channel_rows(table, options);
     add_limit_rows(table, settings);
     add_definition_rows(table, options);
+}
+
+void add_render_options(OptionTable& table, RenderOptions& options) {
+    add_transport_options(table, options);
     add_persistence_rows(table, options);
-    add_photon_rows(table, settings);
-    add_seed_row(table, settings);
+    add_photon_rows(table, options.settings);
+    add_last_rows(table, options);
+}
+
+void add_last_rows(OptionTable& table, RenderOptions& options) {
+    add_seed_row(table, options.settings);
     add_refused_rows(table);
 }
 

@@ -30,12 +30,21 @@ struct RenderOptions {
 /// What the programs start from.
 RenderOptions rpict_defaults();
 RenderOptions rtrace_defaults();
+RenderOptions rcontrib_defaults();
 
 /// Adds -w; rpict and rtrace list it in different places.
 void add_warning_option(OptionTable& table, RenderOptions& options);
 
-/// Adds the shared rows in the order of RADIANCE's -defaults. `options` must outlive the table.
+/// Adds the shared rows in the order of RADIANCE's -defaults. `options` must outlive the table, here and
+/// below.
 void add_render_options(OptionTable& table, RenderOptions& options);
+/// The first of these: what light transport is computed, and definitions of functions. Neither persistence
+/// nor photon maps.
+void add_transport_options(OptionTable& table, RenderOptions& options);
+/// How photons are looked for: -am, -ac, -aC.
+void add_photon_search_rows(OptionTable& table, RenderSettings& settings);
+/// The last of them: -seed, and what is refused.
+void add_last_rows(OptionTable& table, RenderOptions& options);
 
 /// Adds <prefix>i, <prefix>I, <prefix>e and <prefix>E: names, or files of names found through RAYPATH, to
 /// include or to exclude. The last kind given wins. `filter` must outlive the table.

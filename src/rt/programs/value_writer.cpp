@@ -31,15 +31,15 @@ const char* format_name(NumberFormat format, const OutputColor& color) {
     return "unknown";
 }
 
-void ValueWriter::real(double value) {
-    if (format_ == NumberFormat::floats) {
-        append_raw(out_, static_cast<float>(value));
-    } else if (format_ == NumberFormat::doubles) {
-        append_raw(out_, value);
+void append_real(NumberFormat format, double value, std::string& out) {
+    if (format == NumberFormat::floats) {
+        append_raw(out, static_cast<float>(value));
+    } else if (format == NumberFormat::doubles) {
+        append_raw(out, value);
     } else {
         char text[32];  // "%e", several times faster
         const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 6).ptr;
-        out_.append(text, end).push_back('\t');
+        out.append(text, end).push_back('\t');
     }
 }
 

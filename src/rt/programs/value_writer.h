@@ -16,6 +16,9 @@ enum class NumberFormat : char { text = 'a', floats = 'f', doubles = 'd', color 
 /// Name of a format in a FORMAT= line: "ascii", "float", "double", or that of pixels of a color.
 const char* format_name(NumberFormat format, const OutputColor& color);
 
+/// Appends a number: as text "%e" and a tab, else raw in the machine's byte order. Not for colors.
+void append_real(NumberFormat format, double value, std::string& out);
+
 /// Appends values to a string. Text is "%e" and a tab for each; raw numbers are in the machine's byte order.
 class ValueWriter {
   public:
@@ -26,7 +29,7 @@ class ValueWriter {
           plain_(converter.keeps_channels() && format != NumberFormat::color),
           out_(out) {}
 
-    void real(double value);
+    void real(double value) { append_real(format_, value, out_); }
     void vector(const Vec3& value);
     /// What the converter makes of a radiance, or of a share of it: numbers, or one pixel.
     void radiance(const Spectrum& value) {

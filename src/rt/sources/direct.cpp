@@ -134,18 +134,20 @@ bool Tracer::test_shadow(Contribution& contribution, const Interaction& at) {
     ray.aimed_source = contribution.source;
     ray.coefficient = contribution.coefficient;
     const bool ends_here = !source.is_virtual();
-    if (!observer_) {
+    if (!observer_ || observed_shadows_ == ShadowRays::arriving) {
         const Geometry::View view =
             scene_.geometry().view(ray.origin, ray.direction, contribution.distance, ray.leaving);
         if (view == Geometry::View::blocked || (view == Geometry::View::clear && ends_here)) {
             ++ray_count_;
+            if (observer_ && view == Geometry::View::clear) show_arrival(ray);
             return view == Geometry::View::clear;
         }
     }
     Interaction met(ray);
     const bool hit = intersect(met);
     const bool arrived = hit && ends_here && met.surface == source.surface;
-    if (hit && (!arrived || observe_shadows_)) {
+    const bool observe_arrival = observer_ && observed_shadows_ != ShadowRays::stopped;
+    if (hit && (!arrived || observe_arrival)) {
         shade(met);
         if (observer_) observer_->observe(met);
         if (arrived) return true;
@@ -155,11 +157,21 @@ bool Tracer::test_shadow(Contribution& contribution, const Interaction& at) {
         contribution.value = met.radiance * contribution.coefficient;
         return true;
     }
-    if (!hit && observe_shadows_ && source.distant() && meet_distant_source(met)) {
+    if (!hit && observe_arrival && source.distant() && meet_distant_source(met)) {
         shade_chain(source.modifier, met);
         observer_->observe(met);
     }
     return true;
+}
+
+// Observes the end of a ray that nothing blocks.
+void Tracer::show_arrival(const Ray& ray) {
+    const LightSource& source = scene_.source(ray.aimed_source);
+    if (!observer_->watches(source.surface)) return;
+    Interaction met(ray);
+    if (source.distant() ? !meet_distant_source(met) : !meet(source.surface, met)) return;
+    shade_chain(source.modifier, met);
+    observer_->observe(met);
 }
 
 }  // namespace infra

@@ -64,7 +64,8 @@ void Tracer::add_scattered(int source, Interaction& at) {
         medium.transmittance(distance, before);
         if (before.maximum() <= invisible) return;
         Spectrum arriving(at.channels());
-        if (!light_at_place(source, distance, at, arriving)) continue;
+        const Spectrum share = scattering * before * static_cast<float>(at.distance / places);
+        if (!light_at_place(source, distance, share, at, arriving)) continue;
         if (split_) split_->into_path(arriving);
         at.radiance.add_scaled(arriving * scattering * before, static_cast<float>(at.distance / places));
     }
@@ -90,8 +91,9 @@ void Tracer::add_scattered_photons(const PhotonMaps& maps, Interaction& at) {
 }
 
 // Radiance that a place along the ray scatters back along it, per scattering coefficient, were the source all
-// its light.
-bool Tracer::light_at_place(int source, double distance, const Interaction& at, Spectrum& result) {
+// its light; `share` of it comes out of the ray's other end.
+bool Tracer::light_at_place(int source, double distance, const Spectrum& share, const Interaction& at,
+                            Spectrum& result) {
     Ray ray(at.channels());
     ray.origin = at.ray->origin + at.ray->direction * distance;
     const LightSource& aimed = scene_.source(source);
@@ -109,10 +111,12 @@ bool Tracer::light_at_place(int source, double distance, const Interaction& at, 
     ray.fore = at.ray->fore;
     ray.path_before = at.ray->path_before + distance;
     ray.level = at.ray->level;
+    const double phase = henyey_greenstein(at.medium->eccentricity, dot(at.ray->direction, ray.direction));
+    ray.coefficient = share * static_cast<float>(phase * aim.omega);
+    ray.starts_within = true;
     Interaction seen(ray);
     trace(seen);
     if (seen.radiance.brightness() <= static_cast<float>(tiny)) return false;
-    const double phase = henyey_greenstein(at.medium->eccentricity, dot(at.ray->direction, ray.direction));
     result = seen.radiance * static_cast<float>(phase * aim.omega);
     return true;
 }
