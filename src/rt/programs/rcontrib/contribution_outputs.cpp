@@ -53,7 +53,7 @@ ContributionOutputs::~ContributionOutputs() {
 
 std::string ContributionOutputs::size_line(const OutputTarget& target) const {
     const bool is_picture = target.size == 1 && target.width > 0 && target.height > 0;
-    return is_picture ? formatted("-Y %d +X %d\n", target.height, target.width) : "";
+    return is_picture ? formatted("-Y %8d +X %8d\n", target.height, target.width) : "";
 }
 
 std::string ContributionOutputs::header(const OutputTarget& target) const {
@@ -126,7 +126,7 @@ void ContributionOutputs::check_recoverable(const OutputTarget& target) const {
 void ContributionOutputs::skip_header(std::FILE* file, const OutputTarget& target) const {
     if (settings_.header) {
         const std::optional<InfoHeader> found = read_info_header(file);
-        if (!found || found->format() != pixel_format_)
+        if (!found || split_words(found->format()) != split_words(pixel_format_))
             throw Error("'" + target.name + "' is no output of this kind",
                         "its format is not " + pixel_format_);
     }

@@ -60,8 +60,8 @@ class Planner {
         made.bin = bin;
         made.names_modifier = name.names_modifier;
         made.names_bin = name.names_bin;
-        // Of several records the size is that of the whole, of one that which was given before -m.
-        const bool one_record = settings_.accumulate == 0;
+        // Of several records the size is that of the whole; files of one have that which was given before -m.
+        const bool one_record = settings_.accumulate == 0 && modifier.output;
         made.width = one_record ? modifier.width : settings_.width;
         made.height = one_record ? modifier.height : settings_.height;
         if (made.is_file() && !settings_.force && !settings_.recover && access(made.name.c_str(), F_OK) == 0)
