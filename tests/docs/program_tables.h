@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cal/rcalc/settings.h"
+#include "rt/programs/rcontrib/settings.h"
 #include "rt/programs/rpict_options.h"
 #include "rt/programs/rtrace_options.h"
 #include "rt/programs/vwrays/settings.h"
@@ -21,6 +22,7 @@ struct ProgramTables {
     OconvSettings oconv;
     RpictOptions rpict;
     RtraceOptions rtrace;
+    RcontribSettings rcontrib;
     xform::Settings xform;
     GetinfoSettings getinfo;
     VwraysSettings vwrays;
@@ -33,6 +35,7 @@ struct ProgramTables {
         tables.push_back(oconv_option_table(oconv));
         tables.push_back(rpict_option_table(rpict));
         tables.push_back(rtrace_option_table(rtrace));
+        tables.push_back(rcontrib_option_table(rcontrib));
         tables.push_back(xform::option_table(xform));
         tables.push_back(getinfo_option_table(getinfo));
         tables.push_back(vwrays_option_table(vwrays));
