@@ -100,6 +100,7 @@ struct Interaction {
     double local_uv[2] = {0, 0};               ///< of a mesh: the functions' Lu and Lv
     Vec3 perturbation{0};                      ///< of the normal, the sum of the textures met so far
     bool flipped = false;
+    bool counted_elsewhere = false;  ///< a light source whose light reaches the ray's start by other rays
     /// What the ray meets behind a surface that is nothing to it (Tracer::pass_through), -1: it has stopped
     /// here.
     int surface_behind = -1;

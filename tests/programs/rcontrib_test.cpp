@@ -228,6 +228,27 @@ TEST_F(Rcontrib, adds_up_to_what_rtrace_sees) {
     expect_sum_of_contributions("-I+ -ab 1 -ad 64");
 }
 
+TEST_F(Rcontrib, gives_coefficients_of_radiances) {
+    // Lights that look the same from everywhere.
+    std::string even = bazaar;
+    even.replace(even.find("waves glow sky_glow"), 5, "void");
+    scene(even);
+    const std::vector<double> radiances = {10, 20, 30, 3, 2, 1, 1, 1, 2, .2, .2, .1, 1000, 1000, 900};
+    const std::string rays = bazaar_rays();
+    for (const std::string options : {"-ab 0", "-ab 2 -ad 36", "-ab 1 -ad 64 -dv-", "-I+ -ab 1 -ad 64"}) {
+        const Rows parts = rows_of(rcontrib("-h -w " + options + bazaar_lights, rays).out);
+        const Rows whole =
+            rows_of(run("rtrace", std::string("-h -w") + same_as_rcontrib + options, rays).out);
+        ASSERT_EQ(parts.size(), whole.size());
+        for (std::size_t r = 0; r < parts.size(); ++r)
+            for (std::size_t c = 0; c < 3; ++c) {
+                double sum = 0;
+                for (std::size_t i = c; i < radiances.size(); i += 3) sum += parts[r].at(i) * radiances[i];
+                EXPECT_NEAR(sum, whole[r].at(c), 3e-6 * whole[r][c]) << options << " ray " << r;
+            }
+    }
+}
+
 TEST_F(Rcontrib, knows_the_weights_of_samples) {
     scene(bazaar);
     expect_sum_of_contributions("-ab 1 -ad 100 -ss 16");
@@ -237,8 +258,7 @@ TEST_F(Rcontrib, knows_the_weights_of_samples) {
 TEST_F(Rcontrib, knows_what_media_take_and_scatter) {
     scene(bazaar);
     expect_sum_of_contributions("-ab 0 -ms .2");
-    folder.write("short.rad", bazaar);
-    // Without what is at infinity, which no light comes from through a medium that fills all.
+    // A medium that fills all lets nothing through from infinity.
     expect_sum_of_contributions("-ab 1 -ad 36 -me .02 .03 .05 -ma .5 .4 .6 -mg .3 -ms 2");
 }
 

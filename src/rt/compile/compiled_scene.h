@@ -59,7 +59,6 @@ class CompiledScene {
     const cal::Program& program() const { return *program_; }
     int surface_count() const { return static_cast<int>(surfaces_.surfaces.size()); }
     const Surface& surface(int i) const { return surfaces_[i]; }
-    int surface_count() const { return static_cast<int>(surfaces_.surfaces.size()); }
     int finish_count() const { return static_cast<int>(surfaces_.finishes.size()); }
     /// Modifier and material of a surface.
     const Finish& finish(int surface) const { return surfaces_.finish(surface); }

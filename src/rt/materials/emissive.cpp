@@ -64,6 +64,8 @@ bool EmissiveMaterial::shade(Tracer& tracer, Interaction& at) const {
         add_emission(tracer, at);
         emitted = at.radiance;
         at.radiance.clear();
+    } else {
+        at.counted_elsewhere = true;
     }
     if (reflecting_) tracer.shade_chain(reflecting_, at);
     at.radiance += emitted;

@@ -44,7 +44,10 @@ bool LightMaterial::counts(const Tracer& tracer, const Interaction& at) const {
 
 bool LightMaterial::shade(Tracer& tracer, Interaction& at) const {
     const Ray& ray = *at.ray;
-    if (!counts(tracer, at)) return true;
+    if (!counts(tracer, at)) {
+        at.counted_elsewhere = true;
+        return true;
+    }
     const bool aimed =
         ray.aimed_source >= 0 && tracer.scene().source(ray.aimed_source).shines_from(at.surface);
     if (kind_ == Kind::illum && !aimed) {
@@ -52,8 +55,11 @@ bool LightMaterial::shade(Tracer& tracer, Interaction& at) const {
         tracer.pass_through(at);
         return true;
     }
-    if (!tracer.settings().sources_visible && !ray.is(shadow_rays) && reaches(ray.path_before + at.distance))
+    if (!tracer.settings().sources_visible && !ray.is(shadow_rays) &&
+        reaches(ray.path_before + at.distance)) {
+        at.counted_elsewhere = true;
         return true;
+    }
     if (at.cosine < 0) {
         if (!tracer.settings().back_faces_visible) tracer.pass_through(at);
         return true;

@@ -63,7 +63,8 @@ constexpr OutputLetter letters[] = {
     {'w', "weight", 1, false, [](const Scene&, const Hit& at, Out& out) { out.real(at.ray->weight); }},
     {'W', "coefficient", per_value, true,
      [](const Scene& scene, const Hit& at, Out& out) {
-         out.share(missed_its_source(scene, at) ? Spectrum(at.channels()) : path_coefficient(at));
+         const bool counts = !at.counted_elsewhere && !missed_its_source(scene, at);
+         out.share(counts ? path_coefficient(at) : Spectrum(at.channels()));
      }},
     {'m', "modifier", 1, false,
      [](const Scene& scene, const Hit& at, Out& out) {

@@ -23,9 +23,9 @@ constexpr double irradiance_offset = 1.1e-4;
 /// Rays of one record whose sum is taken by itself: fixed, so that rounding does not depend on -n.
 constexpr std::size_t rays_a_sum = 32;
 /// Rays of a piece where each makes a record.
-constexpr std::size_t records_a_piece = 8;
+constexpr std::size_t most_records_a_piece = 8;
 /// What a batch of pieces may take for values, in bytes, and the most pieces a thread.
-constexpr std::size_t batch_bytes = std::size_t(256) << 20;
+constexpr std::size_t batch_bytes = std::size_t(64) << 20;
 constexpr std::size_t most_pieces_a_thread = 256;
 
 /// Another seed for every sum that is gone on with: its noise must not repeat itself.
@@ -52,11 +52,13 @@ class ContributionSession {
           workers_(settings_.threads),
           record_(plan.value_count(), 0.0),
           texts_(outputs.targets().size()) {
-        const std::size_t bytes = plan.value_count() * (each_makes_a_record() ? 16 * records_a_piece : 8);
+        const std::size_t bytes =
+            plan.value_count() * (each_makes_a_record() ? 16 * most_records_a_piece : 8);
         const auto threads = static_cast<std::size_t>(workers_.count());
         pieces_a_batch_ = std::clamp(batch_bytes / std::max<std::size_t>(bytes, 1), threads,
                                      threads * most_pieces_a_thread);
-        if (isatty(fileno(input))) pieces_a_batch_ = 1;
+        // A person who types rays wants each one answered.
+        if (isatty(fileno(input))) pieces_a_batch_ = records_a_piece_ = 1;
         if (const std::uint64_t limit = settings_.ray_limit(); limit > 0 && settings_.report_seconds > 0)
             progress_.emplace(progress_name, limit, settings_.report_seconds, false);
     }
@@ -113,7 +115,7 @@ class ContributionSession {
         pieces_.clear();
         first_ray_ = rays_read_;
         const std::uint64_t limit = settings_.ray_limit();
-        const std::size_t most = each_makes_a_record() ? records_a_piece : rays_a_sum;
+        const std::size_t most = each_makes_a_record() ? records_a_piece_ : rays_a_sum;
         while (pieces_.size() < pieces_a_batch_) {
             const std::size_t begin = rays_.size();
             bool more = true, ends_record = false;
@@ -147,9 +149,8 @@ class ContributionSession {
 
     /// Whether the last ray ends a record of several.
     bool note_ray() {
-        if (rays_.back().length == 0 && settings_.flush_interval() >= 0 &&
-            !(settings_.height > 0 && settings_.width > 1))
-            flush_asked_ = true;
+        const bool is_picture = settings_.height > 0 && settings_.width > 1;
+        if (rays_.back().length == 0 && !is_picture) flush_asked_ = true;
         ++rays_in_record_;
         if (settings_.accumulate == 0 || rays_in_record_ < static_cast<std::uint64_t>(settings_.accumulate))
             return false;
@@ -275,6 +276,7 @@ class ContributionSession {
     std::optional<Progress> progress_;
 
     std::size_t pieces_a_batch_ = 1;
+    std::size_t records_a_piece_ = most_records_a_piece;
     std::vector<RayRequest> rays_;
     std::vector<Piece> pieces_;
     std::uint64_t first_ray_ = 0;  // number of the batch's first ray

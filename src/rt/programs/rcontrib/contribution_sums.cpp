@@ -34,7 +34,8 @@ ContributionPlan::ContributionPlan(const RcontribSettings& settings, const BinFu
     for (const TrackedModifier& modifier : settings.modifiers) {
         const std::size_t number = numbers.size();
         first_.push_back(values);
-        values += static_cast<std::size_t>(bins.rules()[number].count * scene.channel_count());
+        values += static_cast<std::size_t>(bins.rules()[number].count) *
+                  static_cast<std::size_t>(scene.channel_count());
         numbers.emplace(modifier.name, static_cast<int>(number));
     }
     first_.push_back(values);
@@ -69,6 +70,7 @@ void ContributionSums::observe(const Interaction& at) {
     // On its way to a light source a ray counts for nothing else.
     const int aimed = at.ray->aimed_source;
     if (aimed >= 0 && plan_.scene().source(aimed).surface != at.surface) return;
+    if (at.counted_elsewhere && !plan_.settings().contributions) return;
     Spectrum share = path_coefficient(at, plan_.air());
     if (plan_.settings().contributions) share *= at.radiance;
     double value[Channels::most];
