@@ -23,6 +23,7 @@ ANGLES = (0, 45, 75, 87)     # degrees of incidence
 RAYS = 600                   # for each angle
 CHANNELS = 8
 OPTIONS = (*PATHS, "-ad", 1, "-lw", 3e-4)      # one ray from each diffuse hit
+CACHED = ("-ab", 100, "-ad", 64, "-lw", 0)     # walls that reflect .9
 
 ENCLOSURE = """# V3. An enclosure of 300 K: a sphere of this material, in a black one in case it lets light through.
 
@@ -82,7 +83,7 @@ def furnace(bench, name, material, number):
     octree = bench.octree(f"furnace_{number}", ENCLOSURE.format(material=material, temperature=TEMPERATURE,
                                                                 modifier="m" if material else "void"))
     rays = [ray for degrees in ANGLES for ray in rays_to_wall(bench, degrees)]
-    radiances = bench.trace(octree, rays, *OPTIONS)
+    radiances = bench.trace(octree, rays, *OPTIONS, interpolation=CACHED)
     estimates = [mean_of(radiances[i * RAYS:(i + 1) * RAYS]) for i in range(len(ANGLES))]
     closed = band_radiance(TEMPERATURE, *LONG_WAVE)
     return worst([Result(f"{name}, {degrees}°", UNIT, closed, seen.mean, seen.error, BAR, FIGURE)
@@ -96,7 +97,7 @@ def spectral(bench, name, material, number):
     low, high = LONG_WAVE
     rays = [ray for degrees in ANGLES for ray in rays_to_wall(bench, degrees)]
     channels = ("-co+", "-cs", CHANNELS, "-cw", 1000 * low, 1000 * high)
-    values = bench.trace_channels(octree, rays, CHANNELS, *channels, *OPTIONS)
+    values = bench.trace_channels(octree, rays, CHANNELS, *channels, *OPTIONS, interpolation=CACHED)
     width = (high - low) / CHANNELS
     rows = []
     for c in range(CHANNELS):
@@ -133,7 +134,7 @@ def alone(bench):
         for degrees in ANGLES:
             angle = math.radians(degrees)
             ray = (-math.sin(angle), 0, math.cos(angle), math.sin(angle), 0, -math.cos(angle))
-            seen = mean_of(bench.trace(octree, RAYS * [ray], *OPTIONS)) * (1 / black_body)
+            seen = mean_of(bench.trace(octree, RAYS * [ray], *OPTIONS, interpolation=CACHED)) * (1 / black_body)
             candidates.append(Result(f"emissivity of {name}, {degrees}°", "", emissivity(math.cos(angle)), seen.mean,
                                      seen.error, BAR, absolute=True))
         rows.append(worst(candidates))

@@ -2,7 +2,7 @@
 import math
 import operator
 
-from bench import SPLIT_PATHS, Result, grey_wall, lambertian, mean_of_groups
+from bench import HUGE, SPLIT_PATHS, Result, grey_wall, lambertian, mean_of_groups
 from closed_forms import LONG_WAVE, band_radiance, nodes
 
 TITLE = "Diffuse V-groove"
@@ -64,7 +64,7 @@ def results(bench):
         octree = bench.octree(f"groove_{degrees}_{emissivity:g}", SCENE.format(
             angle=degrees, near=-HALF_LENGTH, far=HALF_LENGTH, x=x, minus_x=-x, z=z,
             wall=grey_wall("wall", emissivity, TEMPERATURE)))
-        seen = mean_of_groups(bench.trace(octree, list(rays_into(bench, x, z)), *SPLIT_PATHS), RAYS) * (1 / black_body)
+        seen = mean_of_groups(bench.trace(octree, list(rays_into(bench, x, z)), *SPLIT_PATHS, interpolation=HUGE), RAYS) * (1 / black_body)
         rows.append(Result(f"apparent emissivity, {degrees}°, walls {emissivity:g}", "",
                            apparent_emissivity(angle, emissivity), seen.mean, seen.error, BAR, figure))
     return rows
