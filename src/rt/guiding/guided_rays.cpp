@@ -8,9 +8,9 @@ namespace infra {
 
 GuidedShare::GuidedShare(Tracer& tracer, const Interaction& at, std::uint16_t kind, double weight)
     : tracer_(tracer), at_(at), kind_(kind), lookout_(*tracer.guide_, at.point) {
-    const double wanted = std::min<double>(tracer.settings().guided_samples * weight, most_samples);
-    const double whole = std::floor(wanted);
-    count_ = static_cast<int>(whole) + (tracer.random().uniform() < wanted - whole ? 1 : 0);
+    expected_ = std::min<double>(tracer.settings().guided_samples * weight, most_samples);
+    const double whole = std::floor(expected_);
+    count_ = static_cast<int>(whole) + (tracer.random().uniform() < expected_ - whole ? 1 : 0);
 }
 
 bool Tracer::trace_guided(std::uint16_t kind, const Spectrum& coefficient, const Vec3& direction,

@@ -21,14 +21,12 @@ class GuidedShare {
         return lookout_.sample(u, tracer_.random().uniform());
     }
 
-    /// Density [1/sr] of all rays at wi, times their numbers; others: that of the rays that are not guided,
-    /// times their number.
-    double total(const Vec3& wi, double others) const {
-        return count_ == 0 ? others : others + count_ * lookout_.pdf(wi);
-    }
+    /// Density [1/sr] of all rays at wi, times their numbers, the expected number of guided ones: were it the number
+    /// that chance has made of it, hits without any would leave all that is bright to the others.
+    ///   others  density of the rays that are not guided, times their number
+    double total(const Vec3& wi, double others) const { return others + expected_ * lookout_.pdf(wi); }
     /// Factor on a ray that was not guided (balance heuristic).
     double weight_of_others(const Vec3& wi, double others) const {
-        if (count_ == 0) return 1.0;
         const double all = total(wi, others);
         return all > 0 ? others / all : 1.0;
     }
@@ -38,6 +36,7 @@ class GuidedShare {
     const Interaction& at_;
     std::uint16_t kind_;
     Lookout lookout_;
+    double expected_;  ///< number of rays
     int count_;
 };
 
