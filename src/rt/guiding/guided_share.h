@@ -21,8 +21,8 @@ class GuidedShare {
         return lookout_.sample(u, tracer_.random().uniform());
     }
 
-    /// Density [1/sr] of all rays at wi, times their numbers, the expected number of guided ones: were it the number
-    /// that chance has made of it, hits without any would leave all that is bright to the others.
+    /// Density [1/sr] of all rays at wi, times their numbers, the expected number of guided ones: were it the
+    /// number that chance has made of it, hits without any would leave all that is bright to the others.
     ///   others  density of the rays that are not guided, times their number
     double total(const Vec3& wi, double others) const { return others + expected_ * lookout_.pdf(wi); }
     /// Factor on a ray that was not guided (balance heuristic).
