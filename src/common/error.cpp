@@ -96,20 +96,28 @@ std::string message_line(std::string_view text) {
     return shortened;
 }
 
+int report_exception(const char* program) {
+    try {
+        throw;
+    } catch (const Error& error) {
+        std::fprintf(stderr, "%s: %s\n", program, message_line(error.what()).c_str());
+        return static_cast<int>(error.severity());
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "%s: out of memory\n", program);
+        return static_cast<int>(Severity::system);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s: internal error: %s\n", program, message_line(error.what()).c_str());
+        return static_cast<int>(Severity::internal);
+    }
+}
+
 int run_program(const char* name, int (*body)(int argc, char** argv), int argc, char** argv) {
     try {
         const int status = body(argc, argv);
         flush_standard_output();
         return status;
-    } catch (const Error& error) {
-        std::fprintf(stderr, "%s: %s\n", name, message_line(error.what()).c_str());
-        return static_cast<int>(error.severity());
-    } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "%s: out of memory\n", name);
-        return static_cast<int>(Severity::system);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s: internal error: %s\n", name, message_line(error.what()).c_str());
-        return static_cast<int>(Severity::internal);
+    } catch (...) {
+        return report_exception(name);
     }
 }
 

@@ -66,6 +66,10 @@ std::string one_line(std::string_view text);
 /// one_line() as messages print it: words longer than 300 characters are cut, marked by "...".
 std::string message_line(std::string_view text);
 
+/// Within a catch clause: prints what was caught as one line "program: what" on stderr and returns the exit
+/// status for it.
+int report_exception(const char* program);
+
 /// Runs a program's body: prints any exception as one line "program: what" on stderr and turns it into the
 /// exit status. Bytes that the body has printed and the standard output has lost are an error too.
 int run_program(const char* name, int (*body)(int argc, char** argv), int argc, char** argv);

@@ -194,16 +194,20 @@ std::optional<std::vector<std::string>> OptionTable::parse(std::vector<std::stri
                                near.empty() ? "-help lists the options" : "did you mean '" + near + "'?");
         }
         const std::size_t taken = apply(*row, attached, words, i) + 1;
-        applied_.insert(applied_.end(), words.begin() + i, words.begin() + i + taken);
+        applied_.push_back({row->spelling, {words.begin() + i, words.begin() + i + taken}});
         i += taken;
     }
     words.erase(words.begin(), words.begin() + i);
     return words;
 }
 
-std::string OptionTable::command_line() const {
-    std::vector<std::string> words = applied_;
-    words.insert(words.begin(), program_);
+std::string OptionTable::command_line() const { return command_line_without({}); }
+
+std::string OptionTable::command_line_without(std::span<const std::string_view> spellings) const {
+    std::vector<std::string> words{program_};
+    for (const Applied& option : applied_)
+        if (std::ranges::find(spellings, option.spelling) == spellings.end())
+            words.insert(words.end(), option.words.begin(), option.words.end());
     return join_command(words);
 }
 

@@ -127,6 +127,8 @@ class OptionTable {
 
     /// After parse(): "program -options" with @file and $NAME replaced, as RADIANCE's headers record it.
     std::string command_line() const;
+    /// The same without the options of these spellings and their arguments.
+    std::string command_line_without(std::span<const std::string_view> spellings) const;
 
     /// The text that -defaults prints: the values as they are now, one line each.
     std::string defaults() const;
@@ -152,7 +154,11 @@ class OptionTable {
     std::string environment_;
     bool literal_ = false;
     std::deque<OptionRow> rows_;  // a deque, so that the references handed out stay good
-    std::vector<std::string> applied_;
+    struct Applied {
+        std::string spelling;            // of the row
+        std::vector<std::string> words;  // as given
+    };
+    std::vector<Applied> applied_;
 };
 
 }  // namespace infra

@@ -68,6 +68,9 @@ class Scene {
     /// An error about this primitive: "file:line: type "identifier": message (hint)".
     Error error(PrimitiveId id, std::string_view message, std::string_view hint = {}) const;
 
+    /// Source files and commands ("!xform ..") as they were named, those that SourcePlace numbers.
+    const std::vector<std::string>& files() const { return files_; }
+
     /// Number of a source file, for SourcePlace.
     std::int32_t add_file(std::string_view file_name);
     /// Adds a primitive. A modifier is found by its name from now on, unless an earlier one of that name

@@ -32,7 +32,7 @@ struct Rendering {
             if (with_depth) frame.depth[index] = static_cast<float>(depth(column, row));
         });
         const int lines = static_cast<int>(grid.rows().size());
-        for (int line = 0; line < lines; ++line) filler.trace_samples(line);
+        for (int line = 0; line < lines; ++line) filler.trace_samples(line, 0, grid.columns(line).size());
         for (int line = 0; line < lines; ++line) filler.fill_line(line);
         for (int line = 0; line + 1 < lines; ++line) filler.fill_below(line);
     }

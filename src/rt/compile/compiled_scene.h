@@ -108,6 +108,9 @@ class CompiledScene {
     /// Band in um that all thermal surfaces state; nothing if there are none or they differ.
     const std::optional<std::pair<double, double>>& band() const { return band_; }
 
+    /// The texts that it was compiled from, without the coordinates of surfaces.
+    const std::deque<ScenePart>& parts() const { return parts_; }
+
     /// Complete lines for the user, such as a table whose reflectance is over 1.
     const std::vector<std::string>& warnings() const { return warnings_; }
 

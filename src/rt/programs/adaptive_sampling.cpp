@@ -75,8 +75,8 @@ bool GapFiller::neighbours_differ(int line, int left, int right) const {
     return false;
 }
 
-void GapFiller::trace_samples(int line) {
-    for (const int column : grid_.columns(line)) trace_(column, grid_.rows()[line]);
+void GapFiller::trace_samples(int line, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) trace_(grid_.columns(line)[i], grid_.rows()[line]);
 }
 
 void GapFiller::fill_line(int line) {

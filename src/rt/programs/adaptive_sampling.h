@@ -38,8 +38,8 @@ class GapFiller {
     /// samples.
     GapFiller(const SampleGrid& grid, Frame& frame, double contrast, TracePixel trace);
 
-    /// Traces the samples on a base line.
-    void trace_samples(int line);
+    /// Traces the samples on a base line, from number `begin` to before number `end`.
+    void trace_samples(int line, std::size_t begin, std::size_t end);
     /// Fills a base line; its samples and those of its neighbours must be there.
     void fill_line(int line);
     /// Fills the rows between base lines `line` and `line + 1`, which must be full.

@@ -1,6 +1,7 @@
 #include "rt/programs/frame_name.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -23,6 +24,13 @@ std::size_t place_length(std::string_view text) {
     const std::size_t letter = std::min(text.find_first_not_of("0123456789", digits), text.size());
     if (letter - digits > longest_width || letter == text.size()) return 0;
     return std::string_view("diuxXo").find(text[letter]) == std::string_view::npos ? 0 : letter + 1;
+}
+
+bool lock_file(int file) {
+    struct flock whole {};
+    whole.l_type = F_WRLCK;
+    whole.l_whence = SEEK_SET;
+    return fcntl(file, F_SETLK, &whole) == 0;
 }
 
 }  // namespace
@@ -56,7 +64,32 @@ FrameClaim::FrameClaim(const std::string& path) : path_(path) {
     remove_on_interrupt(path_.c_str());
 }
 
+bool FrameClaim::take_over() {
+    if (granted_) return true;
+    const int file = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file < 0) return false;
+    // Before it was locked, the picture may have taken its place.
+    struct stat opened {
+    }, named{};
+    granted_ = lock_file(file) && fstat(file, &opened) == 0 && stat(path_.c_str(), &named) == 0 &&
+               opened.st_ino == named.st_ino && opened.st_dev == named.st_dev && opened.st_size == 0;
+    if (granted_) {
+        file_ = file;
+        remove_on_interrupt(path_.c_str());
+    } else {
+        close(file);
+    }
+    return granted_;
+}
+
+void FrameClaim::lock() {
+    if (!granted_ || file_ >= 0) return;
+    file_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file_ >= 0) lock_file(file_);
+}
+
 FrameClaim::~FrameClaim() {
+    if (file_ >= 0) close(file_);
     if (!granted_) return;
     if (!kept_) unlink(path_.c_str());
     forget_on_interrupt(path_.c_str());

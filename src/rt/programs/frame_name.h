@@ -21,8 +21,15 @@ class FrameClaim {
     FrameClaim& operator=(const FrameClaim&) = delete;
     ~FrameClaim();
 
-    /// Whether this claim is the one that made the file.
+    /// Whether this claim is the one that made the file, or has taken it over.
     bool granted() const { return granted_; }
+
+    /// Takes over a claim whose program has ended: the file is still empty, and nobody has locked it.
+    /// Returns granted().
+    bool take_over();
+    /// Tells take_over() of other programs that this one lives, where the file system knows locks.
+    void lock();
+
     /// The file holds the picture now.
     void keep() { kept_ = true; }
 
@@ -30,6 +37,7 @@ class FrameClaim {
     std::string path_;
     bool granted_ = false;
     bool kept_ = false;
+    int file_ = -1;  // while it is locked
 };
 
 }  // namespace infra

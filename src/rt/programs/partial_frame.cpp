@@ -3,22 +3,24 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <type_traits>
 
 #include "common/atomic_file.h"
 #include "common/error.h"
 #include "common/format.h"
+#include "rt/programs/view_numbers.h"
 
 namespace infra {
 namespace {
 
 constexpr const char* format_line = "FORMAT=rpict_partial";
+constexpr std::string_view fingerprint_key = "FINGERPRINT= ";
 constexpr std::uint32_t magic = 0x50415254;  // other in the other byte order
 constexpr std::uint32_t version = 3;
 constexpr std::size_t longest_header = 1 << 22;  // bytes
@@ -33,61 +35,6 @@ struct Preamble {
     std::int32_t components = 1;
 };
 static_assert(std::is_trivially_copyable_v<Preamble>);
-
-constexpr std::size_t numbers_a_view = 25;
-
-/// Everything of a view that set_up_view leaves, so that its rays are the same to the last bit.
-std::array<double, numbers_a_view> numbers_of(const View& v) {
-    return {double(static_cast<char>(v.type)),
-            v.point.x,
-            v.point.y,
-            v.point.z,
-            v.direction.x,
-            v.direction.y,
-            v.direction.z,
-            v.up.x,
-            v.up.y,
-            v.up.z,
-            v.distance,
-            v.horizontal,
-            v.vertical,
-            v.shift,
-            v.lift,
-            v.fore,
-            v.aft,
-            v.image_x.x,
-            v.image_x.y,
-            v.image_x.z,
-            v.image_y.x,
-            v.image_y.y,
-            v.image_y.z,
-            v.image_width,
-            v.image_height};
-}
-
-/// Nothing for numbers whose rays would not be any.
-std::optional<View> view_of(const std::array<double, numbers_a_view>& n) {
-    constexpr double last_letter = 127;
-    if (!std::ranges::all_of(n, [](double number) { return std::isfinite(number); })) return std::nullopt;
-    if (n[0] < 0 || n[0] > last_letter) return std::nullopt;
-    const auto type = view_type_of(static_cast<char>(n[0]));
-    if (!type) return std::nullopt;
-    View v;
-    v.type = *type;
-    v.point = {n[1], n[2], n[3]};
-    v.direction = {n[4], n[5], n[6]};
-    v.up = {n[7], n[8], n[9]};
-    v.distance = n[10], v.horizontal = n[11], v.vertical = n[12];
-    v.shift = n[13], v.lift = n[14], v.fore = n[15], v.aft = n[16];
-    v.image_x = {n[17], n[18], n[19]};
-    v.image_y = {n[20], n[21], n[22]};
-    v.image_width = n[23], v.image_height = n[24];
-    const auto points_somewhere = [](const Vec3& d) { return length(d) > 0 && std::isfinite(length(d)); };
-    if (!(v.image_width > 0) || !(v.image_height > 0) || !points_somewhere(v.direction) ||
-        !points_somewhere(v.image_x) || !points_somewhere(v.image_y))
-        return std::nullopt;
-    return v;
-}
 
 template <class Values>
 void put(std::FILE* file, const Values& values) {
@@ -110,10 +57,13 @@ class PartialReader {
             if (size == 0 && !line.starts_with("#?")) return false;
             size += line.size();
             ours = ours || line == format_line;
+            if (line.starts_with(fingerprint_key)) fingerprint_ = line.substr(fingerprint_key.size());
         }
         std::string resolution;
         return ours && read_line(resolution);
     }
+
+    const std::string& fingerprint() const { return fingerprint_; }
 
     PartialFrame read(const Channels& channels) {
         if (!read_header()) fail("it does not begin as one");
@@ -128,7 +78,8 @@ class PartialReader {
             throw Error(Location{path_}, "its channels are not those that -cs, -cw and -split ask for",
                         "finish it with the options it was begun with");
         PartialFrame partial;
-        std::array<double, numbers_a_view> view;
+        partial.fingerprint = fingerprint_;
+        ViewNumbers view;
         get(view.data(), view.size());
         get(&partial.pixel_aspect, 1);
         const std::optional<View> found = view_of(view);
@@ -231,6 +182,7 @@ class PartialReader {
     }
 
     const std::string& path_;
+    std::string fingerprint_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
@@ -241,6 +193,8 @@ std::string partial_name(const std::string& output) { return output + ".partial"
 void write_partial(std::FILE* file, const PartialFrame& partial, const std::vector<std::string>& lines) {
     std::fputs("#?RADIANCE\n", file);
     for (const std::string& line : lines) std::fprintf(file, "%s\n", line.c_str());
+    if (!partial.fingerprint.empty())
+        std::fprintf(file, "%s%s\n", std::string(fingerprint_key).c_str(), partial.fingerprint.c_str());
     std::fprintf(file, "VIEW=%s\n%s\n\n", format_view(partial.view).c_str(), format_line);
     std::fprintf(file, "-Y %d +X %d\n", partial.height, partial.width);
 
@@ -260,10 +214,13 @@ void write_partial(std::FILE* file, const PartialFrame& partial, const std::vect
     put(file, numbers_of(partial.view));
     std::fwrite(&partial.pixel_aspect, sizeof partial.pixel_aspect, 1, file);
     put(file, rows.pixels);
-    put(file, frame.traced);
+    // Others may trace on meanwhile.
+    std::vector<std::uint8_t> traced(frame.traced.size());
+    for (std::size_t i = 0; i < traced.size(); ++i) traced[i] = frame.is_traced(i) ? 1 : 0;
+    put(file, traced);
     const std::size_t channels = frame.picture.channels, bands = frame.bands();
-    for (std::size_t i = 0; i < frame.traced.size(); ++i) {
-        if (!frame.traced[i]) continue;
+    for (std::size_t i = 0; i < traced.size(); ++i) {
+        if (!traced[i]) continue;
         std::fwrite(&frame.picture.pixels[i * channels], sizeof(float), channels, file);
         if (start.has_depth) std::fwrite(&frame.depth[i], sizeof(float), 1, file);
         if (start.has_error) std::fwrite(&frame.error[i * bands], sizeof(float), bands, file);
@@ -281,6 +238,11 @@ void write_partial(const std::string& path, const PartialFrame& partial,
 }
 
 bool is_partial(const std::string& path) { return PartialReader(path).read_header(); }
+
+std::string partial_fingerprint(const std::string& path) {
+    PartialReader reader(path);
+    return reader.read_header() ? reader.fingerprint() : std::string();
+}
 
 PartialFrame read_partial(const std::string& path, const Channels& channels) {
     return PartialReader(path).read(channels);

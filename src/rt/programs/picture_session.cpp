@@ -11,12 +11,12 @@
 #include "common/format.h"
 #include "common/interrupt.h"
 #include "rt/programs/frame_name.h"
+#include "rt/programs/frame_setup.h"
 #include "rt/programs/picture_output.h"
 
 namespace infra {
 namespace {
 
-constexpr int widest_spacing = 16;
 constexpr double most_pixels = 1e9;
 
 /// The options as this one picture has them: its view, its size, its files.
@@ -52,6 +52,12 @@ bool can_be_resumed(const std::string& path) {
     return stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
 }
 
+/// Where an unfinished picture is kept for later; "": nowhere.
+std::string place_to_keep(const RpictOptions& options) {
+    const bool has_name = !options.output.empty() && can_be_resumed(options.output);
+    return has_name ? partial_name(options.output) : std::string();
+}
+
 /// Whether a name, followed through links, is the file that the picture went to ("": the standard output).
 bool is_output(const std::string& path, const std::string& output) {
     struct stat named {
@@ -64,11 +70,12 @@ bool is_output(const std::string& path, const std::string& output) {
 }  // namespace
 
 PictureSession::PictureSession(const LoadedScene& loaded, const RpictOptions& options, IrradianceCache* cache,
-                               const std::string& program, const std::string& command_line,
-                               const WarningSink& warn)
+                               Distribution* distribution, const std::string& program,
+                               const std::string& command_line, const WarningSink& warn)
     : loaded_(loaded),
       options_(options),
       cache_(cache),
+      distribution_(distribution),
       program_(program),
       command_line_(command_line),
       warn_(warn),
@@ -77,63 +84,73 @@ PictureSession::PictureSession(const LoadedScene& loaded, const RpictOptions& op
         warn(formatted("pixel sampling reduced from %d to %d", options.sample_spacing, widest_spacing));
 }
 
-int PictureSession::sample_spacing() const {
-    return options_.samples_per_pixel > 0 ? 1 : std::clamp(options_.sample_spacing, 1, widest_spacing);
+std::string PictureSession::fingerprint_of(const View& view, const std::optional<View>& previous) const {
+    if (!distribution_) return {};
+    Fingerprint fingerprint = distribution_->fingerprint;
+    fingerprint.add_view(view);
+    if (previous) fingerprint.add_view(*previous);
+    return fingerprint.text();
 }
 
-/// None where the picture is blurred, or a medium lies before them all.
-std::vector<SmallSource> PictureSession::small_sources_in(const Camera& camera,
-                                                          const RpictOptions& options) const {
-    const bool blurred = camera.lens_diameter > 0 || (camera.previous && camera.motion_blur > 0);
-    if (blurred || !options.render.settings.sources_visible || loaded_.scene->medium()) return {};
-    return find_small_sources(*loaded_.scene, camera.view, options.width, options.height, sample_spacing());
+bool PictureSession::has_own(int number, const View& view, const std::optional<View>& previous) const {
+    const std::string path = place_to_keep(options_of(options_, number, view, std::nullopt));
+    return distribution_ && !path.empty() && access(path.c_str(), F_OK) == 0 &&
+           partial_fingerprint(path) == fingerprint_of(view, previous);
+}
+
+std::optional<Recovery> PictureSession::find_own(int number, const View& view,
+                                                 const std::optional<View>& previous) const {
+    if (!distribution_) return std::nullopt;
+    const RpictOptions options = options_of(options_, number, view, std::nullopt);
+    const std::string path = place_to_keep(options);
+    if (path.empty() || access(path.c_str(), F_OK) != 0) return std::nullopt;
+    if (!has_own(number, view, previous))
+        throw Error(Location{path},
+                    "it is an unfinished picture of another command, view or scene, which this one may not "
+                    "go on with",
+                    "remove it to begin anew, or finish it with -ro");
+    return find_unfinished(options.output, options, loaded_.scene->channels(), warn_);
 }
 
 void PictureSession::render(int number, const View& view, const std::optional<View>& previous,
                             std::optional<Recovery> recovery) {
     const CompiledScene& scene = *loaded_.scene;
-    Camera camera{.view = recovery && recovery->view_found ? recovery->partial.view : view,
-                  .previous = previous,
-                  .motion_blur = options_.motion_blur,
-                  .lens_diameter = options_.lens_diameter,
-                  .pixel_jitter = options_.pixel_jitter,
-                  .samples = std::max(options_.samples_per_pixel, 1)};
+    Camera camera =
+        camera_of(options_, recovery && recovery->view_found ? recovery->partial.view : view, previous);
     const RpictOptions options = options_of(options_, number, camera.view, recovery);
     PartialFrame partial = recovery ? std::move(recovery->partial) : PartialFrame{};
     partial.view = camera.view;
     partial.width = options.width;
     partial.height = options.height;
     partial.pixel_aspect = options.pixel_aspect;
+    partial.fingerprint = fingerprint_of(camera.view, previous);
     if (partial.frame.traced.empty()) {
         std::vector<float> depths_found = std::move(partial.frame.depth);
         partial.frame = empty_frame(options.width, options.height, !options.depth_output.empty(),
                                     !options.error_output.empty(), scene.channels());
         if (!depths_found.empty()) partial.frame.depth = std::move(depths_found);
     }
-    const std::vector<SmallSource> small_sources = small_sources_in(camera, options);
-    for (const SmallSource& small : small_sources) {
-        const auto surface = static_cast<std::size_t>(scene.source(small.source).surface);
-        if (camera.passed_sources.size() <= surface) camera.passed_sources.resize(surface + 1, -1);
-        camera.passed_sources[surface] = small.source;
-    }
-    const FrameOptions size{.width = options.width,
-                            .height = options.height,
-                            .first_row = partial.finished_rows.height,
-                            .sample_spacing = sample_spacing(),
-                            .sample_contrast = options.sample_contrast,
-                            .cache = cache_};
+    const FrameOptions size =
+        frame_options(options_, options.width, options.height, partial.finished_rows.height, cache_);
+    const std::vector<SmallSource> small_sources = pass_small_sources(scene, options_, size, camera);
+    std::vector<std::string> lines = header_lines(loaded_.header, command_line_);
+    Checkpoint checkpoint(place_to_keep(options), partial, lines, options_.checkpoint_seconds, warn_);
     if (number > 0 && options.report_seconds > 0)
         std::fprintf(stderr, "FRAME %d:%s\n", number, format_view(camera.view).c_str());
     const int rows = size.height - size.first_row;
     Progress progress(program_, static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(rows),
                       options.report_seconds);
     try {
-        render_frame(scene, options.render.settings, camera, size, workers_, progress, partial.frame,
-                     faults_);
+        if (distribution_)
+            distribution_->leader.render(scene, options.render.settings, camera, size, workers_, progress,
+                                         partial.frame, checkpoint, faults_);
+        else
+            render_frame(scene, options.render.settings, camera, size, workers_, progress, partial.frame,
+                         &checkpoint, faults_);
         throw_if_interrupted();
     } catch (const Error&) {
         if (!interrupted()) throw;
-        keep(options, std::move(partial), number);
+        keep(options, partial, lines, number);
     }
     progress.finish();
     if (!small_sources.empty()) {
@@ -144,7 +161,6 @@ void PictureSession::render(int number, const View& view, const std::optional<Vi
     }
     if (cache_) cache_->flush();
 
-    std::vector<std::string> lines = header_lines(loaded_.header, command_line_);
     if (number > 0) lines.push_back(formatted("FRAME=%d", number));
     write_frame(std::move(partial.frame), partial.finished_rows, scene, options, lines, command_line_);
     // What an unfinished picture held is in the whole one.
@@ -153,16 +169,16 @@ void PictureSession::render(int number, const View& view, const std::optional<Vi
         std::remove(partial_name(options.output).c_str());
 }
 
-void PictureSession::keep(const RpictOptions& options, PartialFrame partial, int number) const {
+void PictureSession::keep(const RpictOptions& options, const PartialFrame& partial,
+                          const std::vector<std::string>& lines, int number) const {
     ending_in_order();
     if (cache_) cache_->flush();
-    const std::vector<std::string> lines = header_lines(loaded_.header, command_line_);
     std::string hint;
-    if (!options.output.empty() && can_be_resumed(options.output)) {
-        const std::string path = partial_name(options.output);
+    if (const std::string path = place_to_keep(options); !path.empty()) {
         write_partial(path, partial, lines);
         const std::string which = number > 0 ? formatted("-r %d", number) : "-ro \"" + options.output + "\"";
-        hint = "the same command with " + which + " goes on from \"" + path + "\"";
+        hint = std::string("the same command ") + (distribution_ ? "" : "with " + which + " ") +
+               "goes on from \"" + path + "\"";
     } else if (options.output.empty() && number == 0 && is_plain_file(fileno(stdout))) {
         // Among other pictures of a sequence it could not be found again.
         write_partial(stdout, partial, lines);

@@ -138,9 +138,9 @@ double PixelTracer::standard_error(int band, std::span<const int> sizes) const {
     return std::sqrt(squares * count / (count - 1)) / samples;
 }
 
-void PixelTracer::trace(int column, int row) {
+bool PixelTracer::trace(int column, int row) {
     const std::size_t index = static_cast<std::size_t>(row) * frame_.picture.width + column;
-    if (!frame_.traced.empty() && frame_.traced[index]) return;
+    if (!frame_.traced.empty() && frame_.is_traced(index)) return false;
     const int samples = camera_.samples, replica_count = std::min(samples, most_replicas);
     const std::size_t bands = frame_.bands();
     std::fill(sum_.begin(), sum_.end(), 0.0);
@@ -167,7 +167,8 @@ void PixelTracer::trace(int column, int row) {
         for (std::size_t b = 0; b < bands; ++b)
             frame_.error[index * bands + b] = static_cast<float>(
                 standard_error(static_cast<int>(b), std::span(sizes).first(replica_count)));
-    if (!frame_.traced.empty()) frame_.traced[index] = 1;
+    if (!frame_.traced.empty()) frame_.mark_traced(index);
+    return true;
 }
 
 }  // namespace infra

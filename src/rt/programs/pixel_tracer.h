@@ -28,6 +28,12 @@ struct Frame {
         for (std::size_t c = band + bands(); c < values.size(); c += bands()) sum += values[c];
         return sum;
     }
+
+    /// For threads that look on while others trace: what is marked as traced has all its values.
+    bool is_traced(std::size_t index) const { return __atomic_load_n(&traced[index], __ATOMIC_ACQUIRE) != 0; }
+    void mark_traced(std::size_t index) {
+        __atomic_store_n(&traced[index], std::uint8_t{1}, __ATOMIC_RELEASE);
+    }
 };
 
 /// Where the rays of a pixel start and go.
@@ -59,8 +65,9 @@ class PixelTracer {
                 Frame& frame);
 
     /// Fills in one pixel, unless it is known: black, at distance 0, where the view has no ray.
-    ///   throws  Error "interrupted" after a signal
-    void trace(int column, int row);
+    ///   returns  whether it was not known
+    ///   throws   Error "interrupted" after a signal
+    bool trace(int column, int row);
 
     Tracer& tracer() { return tracer_; }
 

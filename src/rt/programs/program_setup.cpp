@@ -31,6 +31,7 @@ LoadedScene load_scene(const std::string& octree, const RenderOptions& options, 
     OctreeFile file = load_octree(octree, warn);
     LoadedScene loaded;
     loaded.header = std::move(file.header);
+    loaded.files = std::move(file.scene_files);
     loaded.cube = file.cube;
     loaded.scene = CompiledScene::compile(std::move(file.scene), options.settings, options.channels(),
                                           options.definitions);
@@ -63,11 +64,18 @@ WarningSink warning_sink(const std::string& program, const RenderOptions& option
 }
 
 void TracerFaults::add(Tracer& tracer) {
-    bad_values += tracer.bad_values();
-    bad_temperatures += tracer.bad_temperatures();
     const std::uint64_t faults = tracer.evaluator().fault_count();
-    function_faults += faults;
-    if (faults > 0) last_function_fault = tracer.evaluator().last_fault();
+    add({.bad_values = tracer.bad_values(),
+         .bad_temperatures = tracer.bad_temperatures(),
+         .function_faults = faults,
+         .last_function_fault = faults > 0 ? tracer.evaluator().last_fault() : std::string()});
+}
+
+void TracerFaults::add(const TracerFaults& more) {
+    bad_values += more.bad_values;
+    bad_temperatures += more.bad_temperatures;
+    function_faults += more.function_faults;
+    if (more.function_faults > 0) last_function_fault = more.last_function_fault;
 }
 
 void TracerFaults::report(const WarningSink& warn) const {

@@ -17,6 +17,7 @@ namespace infra {
 struct LoadedScene {
     std::shared_ptr<const CompiledScene> scene;
     std::vector<std::string> header;  ///< of the octree: how it came about
+    std::vector<std::string> files;   ///< scene files and commands that the octree was made from
     Cube cube;                        ///< around the scene
 };
 
@@ -44,6 +45,7 @@ struct TracerFaults {
     std::string last_function_fault;
 
     void add(Tracer& tracer);
+    void add(const TracerFaults& more);
     void report(const WarningSink& warn) const;
 };
 

@@ -2,25 +2,7 @@
 
 #include <memory>
 
-#include "rt/programs/adaptive_sampling.h"
-
 namespace infra {
-namespace {
-
-/// What one thread needs.
-struct Painter {
-    PixelTracer pixels;
-    GapFiller gaps;
-
-    Painter(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
-            const FrameOptions& options, const SampleGrid& grid, Frame& frame)
-        : pixels(scene, settings, camera, frame),
-          gaps(grid, frame, options.sample_contrast,
-               [this](int column, int row) { pixels.trace(column, row); }) {}
-    Painter(const Painter&) = delete;
-};
-
-}  // namespace
 
 Frame empty_frame(int width, int height, bool with_depth, bool with_error, const Channels& channels) {
     Frame frame;
@@ -39,35 +21,24 @@ Frame empty_frame(int width, int height, bool with_depth, bool with_error, const
 
 void render_frame(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
                   const FrameOptions& options, Workers& workers, Progress& progress, Frame& frame,
-                  TracerFaults& faults) {
+                  Checkpoint* checkpoint, TracerFaults& faults) {
     if (options.first_row >= options.height) return;
     const SampleGrid grid(options.width, options.height, options.sample_spacing, options.first_row);
-    std::vector<std::unique_ptr<Painter>> painters;
+    std::vector<std::unique_ptr<FramePainter>> painters;
     for (int i = 0; i < workers.count(); ++i)
-        painters.push_back(std::make_unique<Painter>(scene, settings, camera, options, grid, frame));
-    for (const auto& painter : painters) painter->pixels.tracer().use_irradiance_cache(options.cache);
-
-    // Each pass reads only what the one before has finished.
-    const int lines = static_cast<int>(grid.rows().size());
-    const auto pass = [&](int pieces, auto paint, auto pixels_done) {
-        workers.run(pieces, [&](int line, int worker) {
-            Tracer& tracer = painters[worker]->pixels.tracer();
+        painters.push_back(std::make_unique<FramePainter>(scene, settings, camera, options, grid, frame));
+    for (const Pass pass : passes_of(grid, options.width)) {
+        const std::vector<Tile> tiles = tiles_of(grid, pass, 0);
+        workers.run(static_cast<int>(tiles.size()), [&](int number, int worker) {
+            Tracer& tracer = painters[worker]->tracer();
             const std::uint64_t rays_before = tracer.ray_count();
-            paint(painters[worker]->gaps, line);
-            progress.add(pixels_done(line), tracer.ray_count() - rays_before);
+            painters[worker]->paint(pass, tiles[number]);
+            progress.add(pixels_of(tiles[number], grid, pass, options.width),
+                         tracer.ray_count() - rays_before);
+            if (checkpoint) checkpoint->write_if_due();
         });
-    };
-    const auto samples_on = [&](int line) { return static_cast<int>(grid.columns(line).size()); };
-    pass(
-        lines, [](GapFiller& gaps, int line) { gaps.trace_samples(line); }, samples_on);
-    pass(
-        lines, [](GapFiller& gaps, int line) { gaps.fill_line(line); },
-        [&](int line) { return options.width - samples_on(line); });
-    pass(
-        lines - 1, [](GapFiller& gaps, int line) { gaps.fill_below(line); },
-        [&](int line) { return options.width * (grid.rows()[line + 1] - grid.rows()[line] - 1); });
-
-    for (const auto& painter : painters) faults.add(painter->pixels.tracer());
+    }
+    for (const auto& painter : painters) faults.add(painter->tracer());
 }
 
 }  // namespace infra

@@ -1,15 +1,23 @@
 #include "rt/programs/rpict.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "common/error.h"
+#include "common/format.h"
 #include "common/interrupt.h"
 #include "common/parse_number.h"
 #include "rt/programs/ambient_setup.h"
+#include "rt/programs/distributed/agreement.h"
+#include "rt/programs/distributed/fingerprint.h"
+#include "rt/programs/distributed/frame_follower.h"
+#include "rt/programs/distributed/shared_input.h"
 #include "rt/programs/frame_name.h"
 #include "rt/programs/persistent_server.h"
 #include "rt/programs/picture_output.h"
@@ -64,6 +72,18 @@ void check(const RpictOptions& options, const std::vector<std::string>& operands
     }
 }
 
+/// Options that do not change a picture, and may differ when one goes on with what another has left.
+constexpr std::string_view harmless_options[] = {"-n", "-t", "-w", "-ck"};
+/// Options that name files which are no input, besides.
+constexpr std::string_view output_options[] = {"-n",     "-t", "-w",  "-ck", "-o", "-z", "-se",
+                                               "-split", "-r", "-ro", "-af", "-P", "-PP"};
+
+/// A process that others fork from, or one that is a fork, cannot be one of a team.
+void check_team(const RpictOptions& options) {
+    if (!options.render.persist_file.empty())
+        throw Error("-P and -PP are not for several ranks", "all pictures of -S share one scene as it is");
+}
+
 void render_one(PictureSession& session, const RpictOptions& options, const Channels& channels,
                 const WarningSink& warn) {
     RpictOptions named = options;
@@ -72,6 +92,8 @@ void render_one(PictureSession& session, const RpictOptions& options, const Chan
     std::optional<Recovery> recovery;
     if (!options.recover.empty())
         recovery = find_unfinished(frame_name(options.recover, 0), named, channels, warn);
+    else
+        recovery = session.find_own(0, options.view, std::nullopt);
     session.render(0, options.view, std::nullopt, std::move(recovery));
 }
 
@@ -90,6 +112,9 @@ void render_sequence(PictureSession& session, const RpictOptions& options, const
         RpictOptions named = options;
         named.output = frame_name(options.output, number);
         named.depth_output = frame_name(options.depth_output, number);
+        // RADIANCE's: the picture numbered 1 is sharp.
+        std::optional<View> previous;
+        if (options.motion_blur > 0 && number > 1) previous = views.previous();
         std::optional<FrameClaim> claim;
         std::optional<Recovery> recovery;
         if (recovering) {
@@ -97,57 +122,121 @@ void render_sequence(PictureSession& session, const RpictOptions& options, const
             recovering = false;
         } else if (numbered) {
             claim.emplace(named.output);
-            if (!claim->granted()) continue;
+            const bool is_left = !claim->granted() && session.has_own(number, views.view(), previous);
+            if (!claim->granted() && !(is_left && claim->take_over())) continue;
+            if (session.has_team()) claim->lock();
         } else if (!options.output.empty() && pictures > 0) {
             throw Error("a second picture would replace the first in \"" + options.output + "\"",
                         "put %d into the name of -o for the number");
         }
-        // RADIANCE's: the picture numbered 1 is sharp.
-        const bool has_motion = options.motion_blur > 0 && number > 1;
-        session.render(number, views.view(), has_motion ? std::optional(views.previous()) : std::nullopt,
-                       std::move(recovery));
+        if (!recovery) recovery = session.find_own(number, views.view(), previous);
+        session.render(number, views.view(), previous, std::move(recovery));
         if (claim) claim->keep();
         ++pictures;
     }
     if (pictures == 0) warn("no output produced");
 }
 
-}  // namespace
+/// Does what a team does in step, or a process alone.
+void take_step_of(Team* team, const std::function<std::uint64_t()>& step) {
+    if (team)
+        take_step(*team, step);
+    else
+        step();
+}
 
-int rpict(int argc, char** argv) {
+/// Everything between the command line and the pictures.
+struct Preparation {
+    LoadedScene loaded;
+    std::unique_ptr<IrradianceCache> cache;
+    Fingerprint fingerprint;
+};
+
+std::uint64_t prepare(Preparation& ready, const OptionTable& table, const RpictOptions& options,
+                      const std::string& octree, bool in_team, const WarningSink& warn) {
+    ready.loaded = load_scene(octree, options.render, warn);
+    for (const std::string& warning : ready.loaded.scene->warnings()) warn(warning);
+    ready.cache = open_irradiance_cache(ready.loaded, options.render, table.program(), octree, warn);
+    if (!in_team) return 0;
+    std::vector<std::string> words = split_words(table.command_line_without(output_options));
+    words.push_back(octree);
+    ready.fingerprint = fingerprint_of(ready.loaded, table.command_line_without(harmless_options), words);
+    return ready.fingerprint.value();
+}
+
+int render_pictures(int argc, char** argv, Team* team) {
+    const bool leads = !team || team->leads();
     RpictOptions options;
     OptionTable table = rpict_option_table(options);
-    const auto operands = table.parse(argc, argv);
-    if (!operands) return 0;
+    std::optional<std::vector<std::string>> operands;
     std::optional<PersistentServer> server;
+    take_step_of(team, [&] {
+        operands = table.parse(argc, argv);
+        if (team) check_team(options);
+        return operands ? 1 : 0;
+    });
+    if (!operands) {
+        if (team) team->part();
+        return 0;
+    }
     if (const std::string& file = options.render.persist_file; !file.empty()) {
         server.emplace(file, table.program());
         if (const std::optional<int> status = server->use()) return *status;
     }
-    check(options, *operands);
-    set_up_view(options.view);
-    redirect_messages(options.render.error_file, table.command_line());
-    const WarningSink warn = warning_sink(table.program(), options.render);
-    check_writable(options);
+    take_step_of(team, [&] {
+        check(options, *operands);
+        set_up_view(options.view);
+        if (!leads) return 0;
+        redirect_messages(options.render.error_file, table.command_line());
+        check_writable(options);
+        return 0;
+    });
+    const WarningSink warn = leads ? warning_sink(table.program(), options.render) : no_warnings();
     const Channels channels = options.render.channels();
     if (const std::string text = color_warning(options.color, channels.one_component());
         writes_colors(options) && !text.empty())
         warn(text);
 
     const std::string octree = operands->empty() ? "" : operands->front();
-    const LoadedScene loaded = load_scene(octree, options.render, warn);
-    for (const std::string& warning : loaded.scene->warnings()) warn(warning);
+    if (team && octree.empty()) share_standard_input(*team);
+    Preparation ready;
+    take_step_of(team, [&] { return prepare(ready, table, options, octree, team != nullptr, warn); });
     if (server) server->leave_behind(!options.render.error_file.empty());
-    const auto cache = open_irradiance_cache(loaded, options.render, table.program(), octree, warn);
+    if (team && options.threads == 0 && team->members_here() > 1) options.threads = 1;
     const InterruptGuard guard(seconds_to_end);
+    if (!leads) {
+        follow_frames(*team, ready.loaded, options, ready.cache.get());
+        team->part();
+        return 0;
+    }
     const std::string command_line = table.command_line();
-    PictureSession session(loaded, options, cache.get(), table.program(), command_line, warn);
-    if (options.is_sequence())
-        render_sequence(session, options, channels, warn);
-    else
-        render_one(session, options, channels, warn);
-    session.report_faults();
+    std::optional<Distribution> distribution;
+    if (team) distribution.emplace(FrameLeader(*team), ready.fingerprint);
+    const auto part = [&] {
+        if (!distribution || !distribution->leader.is_idle()) return;
+        distribution->leader.dismiss();
+        team->part();
+    };
+    try {
+        PictureSession session(ready.loaded, options, ready.cache.get(),
+                               distribution ? &*distribution : nullptr, table.program(), command_line, warn);
+        if (options.is_sequence())
+            render_sequence(session, options, channels, warn);
+        else
+            render_one(session, options, channels, warn);
+        session.report_faults();
+    } catch (const Error&) {
+        if (!interrupted()) part();
+        throw;
+    }
+    part();
     return 0;
 }
+
+}  // namespace
+
+int rpict(int argc, char** argv) { return render_pictures(argc, argv, nullptr); }
+
+int rpict(int argc, char** argv, Team& team) { return render_pictures(argc, argv, &team); }
 
 }  // namespace infra
