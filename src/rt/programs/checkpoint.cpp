@@ -9,12 +9,22 @@ namespace infra {
 
 using Clock = std::chrono::steady_clock;
 
+namespace {
+
+Clock::duration interval_of(double seconds) {
+    constexpr double longest = 1e8;  // a clock cannot count for ever
+    return std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(std::min(seconds, longest)));
+}
+
+}  // namespace
+
 Checkpoint::Checkpoint(std::string path, const PartialFrame& partial, const std::vector<std::string>& lines,
-                       int seconds, const WarningSink& warn)
+                       double seconds, const WarningSink& warn)
     : path_(std::move(path)),
       partial_(partial),
       lines_(lines),
-      interval_(seconds),
+      interval_(interval_of(seconds)),
       warn_(warn),
       due_(seconds > 0 && !path_.empty() ? Clock::now() + interval_ : Clock::time_point::max()) {}
 

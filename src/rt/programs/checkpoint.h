@@ -22,7 +22,7 @@ class Checkpoint {
     ///   lines    for its header
     ///   seconds  between two writings, 0: write_if_due never writes
     Checkpoint(std::string path, const PartialFrame& partial, const std::vector<std::string>& lines,
-               int seconds, const WarningSink& warn);
+               double seconds, const WarningSink& warn);
 
     /// Writes at once, atomically. throws Error when it cannot
     void write();
@@ -39,7 +39,7 @@ class Checkpoint {
     const std::string path_;
     const PartialFrame& partial_;
     const std::vector<std::string>& lines_;
-    const std::chrono::seconds interval_;
+    const std::chrono::steady_clock::duration interval_;
     const WarningSink& warn_;
     std::mutex writing_;
     std::atomic<std::chrono::steady_clock::time_point> due_;

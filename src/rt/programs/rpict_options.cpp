@@ -129,7 +129,7 @@ OptionTable rpict_option_table(RpictOptions& options) {
     add_render_options(table, options.render);
     table.integer("-n", &options.threads, "number of threads, 0: all cores").at_least(0).ours();
     table
-        .integer("-ck", &options.checkpoint_seconds,
+        .real("-ck", &options.checkpoint_seconds,
                  "seconds between checkpoints, which keep in name.partial what is traced so far; 0: none")
         .at_least(0)
         .unlisted()

@@ -22,7 +22,7 @@ struct RpictOptions {
     int sample_spacing = 4;         ///< -ps: pixels between samples where nothing changes
     double sample_contrast = 0.05;  ///< -pt: relative difference that asks for samples in between
     int report_seconds = 0;         ///< -t
-    int checkpoint_seconds = 10;    ///< -ck: between writings of what is known of a picture; 0: none
+    double checkpoint_seconds = 10;    ///< -ck: between writings of what is known of a picture; 0: none
     int threads = 0;                ///< -n: 0 means all cores
     OutputColor color;              ///< -p, -co
     std::string output;             ///< -o: empty means the standard output
