@@ -139,6 +139,7 @@ TEST(Options, FilesAndVariablesAreReadInPlace) {
     EXPECT_EQ(f.x_resolution, 77);
     EXPECT_TRUE(f.uncorrelated && f.irradiance);
     EXPECT_EQ(f.table.command_line(), "rpict -ab 1 -ab 3 -u+ -x 77 -i");
+    EXPECT_EQ(f.table.command_line_without(std::vector<std::string_view>{"-ab", "-u"}), "rpict -x 77 -i");
 
     EXPECT_EQ(*f.table.parse({"$INFRA_TEST_OPTIONS", "b.oct"}), (Words{"@", "b.oct"}));
     EXPECT_EQ(f.threshold, 0.25);

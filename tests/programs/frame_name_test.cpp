@@ -1,6 +1,7 @@
 #include "rt/programs/frame_name.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "command.h"
 
@@ -37,6 +38,29 @@ TEST(FrameClaim, is_granted_once_and_leaves_nothing_unless_kept) {
     FrameClaim(path).keep();
     EXPECT_TRUE(folder.has("f.hdr"));
     EXPECT_NE(test::error_of([&] { FrameClaim(folder.path("none/f.hdr")); }), "no error");
+}
+
+TEST(FrameClaim, of_a_program_that_has_ended_is_taken_over) {
+    const test::Folder folder;
+    const std::string path = folder.path("f.hdr");
+    folder.write("f.hdr", "");
+    {
+        FrameClaim other(path);
+        EXPECT_FALSE(other.granted());
+        EXPECT_TRUE(other.take_over());
+        EXPECT_TRUE(other.granted());
+        // Another process sees that this one lives.
+        const pid_t child = fork();
+        if (child == 0) _exit(FrameClaim(path).take_over() ? 1 : 0);
+        int status = -1;
+        waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+    }
+    EXPECT_FALSE(folder.has("f.hdr"));
+    folder.write("f.hdr", "a picture");
+    FrameClaim late(path);
+    EXPECT_FALSE(late.take_over());
+    EXPECT_EQ(folder.read("f.hdr"), "a picture");
 }
 
 }  // namespace

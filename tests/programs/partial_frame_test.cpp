@@ -40,9 +40,13 @@ PartialFrame example() {
 
 TEST(PartialFrame, comes_back_to_the_last_bit) {
     const test::Folder folder;
-    const PartialFrame written = example();
+    PartialFrame written = example();
     write_partial(folder.path("p"), written, {"rpict -x 5", "SOFTWARE= x"});
     EXPECT_TRUE(is_partial(folder.path("p")));
+    EXPECT_EQ(partial_fingerprint(folder.path("p")), "");
+    written.fingerprint = "0123";
+    write_partial(folder.path("p"), written, {"rpict -x 5", "SOFTWARE= x"});
+    EXPECT_EQ(partial_fingerprint(folder.path("p")), "0123");
     const PartialFrame read = read_partial(folder.path("p"), four_bands);
     EXPECT_EQ(read.width, 5);
     EXPECT_EQ(read.height, 4);

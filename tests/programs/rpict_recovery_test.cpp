@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "common/pictures/picture.h"
+#include "rt/programs/partial_frame.h"
 
 namespace infra {
 namespace {
@@ -63,6 +64,26 @@ TEST_F(RpictRecovery, of_a_stopped_picture_gives_the_same_bits) {
     EXPECT_EQ(folder.read("p.z"), folder.read("whole.z"));
     EXPECT_FALSE(folder.has("p.exr.partial"));
     EXPECT_EQ(read("p.exr").header.value("VIEW"), read("whole.exr").header.value("VIEW"));
+}
+
+TEST_F(RpictRecovery, of_a_killed_picture_gives_the_same_bits) {
+    // SIGKILL leaves no time to keep anything: what was kept before is there.
+    const std::string rpict = work + std::string("-ck .05 ");
+    ASSERT_EQ(run(rpict + "-o whole.exr -z whole.z room.oct").status, 0);
+    EXPECT_FALSE(folder.has("whole.exr.partial"));
+    const Outcome killed =
+        run(rpict +
+            "-n 1 -o p.exr -z p.z room.oct & while ! [ -e p.exr.partial ] && kill -0 $! 2> "
+            "/dev/null; do sleep .01; done; kill -9 $!; wait $!");
+    ASSERT_EQ(killed.status, 128 + 9) << killed.err;
+    EXPECT_FALSE(folder.has("p.exr"));
+    const PartialFrame left = read_partial(folder.path("p.exr.partial"), {});
+    EXPECT_GT(std::count(left.frame.traced.begin(), left.frame.traced.end(), 1), 0);
+    EXPECT_EQ(left.fingerprint, "");
+    ASSERT_EQ(run(rpict + "-ro p.exr -z p.z room.oct").status, 0);
+    EXPECT_EQ(read("p.exr").pixels, read("whole.exr").pixels);
+    EXPECT_EQ(folder.read("p.z"), folder.read("whole.z"));
+    EXPECT_FALSE(folder.has("p.exr.partial"));
 }
 
 TEST_F(RpictRecovery, of_the_output_knows_view_and_size) {

@@ -159,6 +159,7 @@ std::uint64_t prepare(Preparation& ready, const OptionTable& table, const RpictO
     ready.cache = open_irradiance_cache(ready.loaded, options.render, table.program(), octree, warn);
     if (!in_team) return 0;
     std::vector<std::string> words = split_words(table.command_line_without(output_options));
+    std::erase(words, options.render.error_file);
     words.push_back(octree);
     ready.fingerprint = fingerprint_of(ready.loaded, table.command_line_without(harmless_options), words);
     return ready.fingerprint.value();

@@ -140,7 +140,7 @@ TEST_F(RpictMpi, refuses_persistence) {
 /// Pictures of some seconds' work that a rank does not live to see.
 struct RpictMpiKilled : RpictMpi {
     static constexpr int width = 120, height = 80;
-    const std::string rpict = "rpict -t 1000 -ck .05 -ab 1 -ad 1200 -x 120 -y 80" + std::string(camera);
+    const std::string rpict = "rpict -t 1000 -ck .05 -ab 1 -ad 2000 -x 120 -y 80" + std::string(camera);
 
     /// Runs a command with two ranks, and kills one of them as soon as some pixels are in the file.
     void kill_rank(int rank, const std::string& command, const std::string& partial) {
@@ -199,7 +199,7 @@ TEST_F(RpictMpiKilled, does_not_go_on_with_what_another_command_left) {
 }
 
 TEST_F(RpictMpiKilled, in_a_sequence_goes_on_with_the_picture_it_was_at) {
-    const std::string command = rpict + "-S 1 -o p%d.exr room.oct < views";
+    const std::string command = rpict + "-e log -S 1 -o p%d.exr room.oct < views";
     ASSERT_EQ(run(command).status, 0);
     const std::string first = folder.read("p1.exr"), second = folder.read("p2.exr");
     ASSERT_EQ(run("rm p2.exr").status, 0);
