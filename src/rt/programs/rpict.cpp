@@ -145,24 +145,15 @@ void take_step_of(Team* team, const std::function<std::uint64_t()>& step) {
         step();
 }
 
-/// Everything between the command line and the pictures.
-struct Preparation {
-    LoadedScene loaded;
-    std::unique_ptr<IrradianceCache> cache;
-    Fingerprint fingerprint;
-};
-
-std::uint64_t prepare(Preparation& ready, const OptionTable& table, const RpictOptions& options,
-                      const std::string& octree, bool in_team, const WarningSink& warn) {
-    ready.loaded = load_scene(octree, options.render, warn);
-    for (const std::string& warning : ready.loaded.scene->warnings()) warn(warning);
-    ready.cache = open_irradiance_cache(ready.loaded, options.render, table.program(), octree, warn);
-    if (!in_team) return 0;
+/// Of a team: all that its pictures depend on but their views.
+Fingerprint fingerprint_of(const LoadedScene& loaded, const OptionTable& table, const RpictOptions& options,
+                           const std::string& octree, const Bytes& input) {
     std::vector<std::string> words = split_words(table.command_line_without(output_options));
     std::erase(words, options.render.error_file);
     words.push_back(octree);
-    ready.fingerprint = fingerprint_of(ready.loaded, table.command_line_without(harmless_options), words);
-    return ready.fingerprint.value();
+    Fingerprint fingerprint = fingerprint_of(loaded, table.command_line_without(harmless_options), words);
+    fingerprint.add_text({input.data(), input.size()});
+    return fingerprint;
 }
 
 int render_pictures(int argc, char** argv, Team* team) {
@@ -184,43 +175,56 @@ int render_pictures(int argc, char** argv, Team* team) {
         server.emplace(file, table.program());
         if (const std::optional<int> status = server->use()) return *status;
     }
+    Channels channels;
     take_step_of(team, [&] {
         check(options, *operands);
         set_up_view(options.view);
-        if (!leads) return 0;
-        redirect_messages(options.render.error_file, table.command_line());
-        check_writable(options);
+        if (leads) {
+            redirect_messages(options.render.error_file, table.command_line());
+            check_writable(options);
+        }
+        channels = options.render.channels();
         return 0;
     });
     const WarningSink warn = leads ? warning_sink(table.program(), options.render) : no_warnings();
-    const Channels channels = options.render.channels();
     if (const std::string text = color_warning(options.color, channels.one_component());
         writes_colors(options) && !text.empty())
         warn(text);
 
     const std::string octree = operands->empty() ? "" : operands->front();
-    if (team && octree.empty()) share_standard_input(*team);
-    Preparation ready;
-    take_step_of(team, [&] { return prepare(ready, table, options, octree, team != nullptr, warn); });
+    const Bytes input = team && octree.empty() ? share_standard_input(*team) : Bytes();
+    LoadedScene loaded;
+    Fingerprint fingerprint;
+    take_step_of(team, [&] {
+        loaded = load_scene(octree, options.render, warn);
+        if (team) fingerprint = fingerprint_of(loaded, table, options, octree, input);
+        return fingerprint.value();
+    });
+    for (const std::string& warning : loaded.scene->warnings()) warn(warning);
     if (server) server->leave_behind(!options.render.error_file.empty());
+    std::unique_ptr<IrradianceCache> cache;
+    take_step_of(team, [&] {
+        cache = open_irradiance_cache(loaded, options.render, table.program(), octree, warn);
+        return 0;
+    });
     if (team && options.threads == 0 && team->members_here() > 1) options.threads = 1;
     const InterruptGuard guard(seconds_to_end);
     if (!leads) {
-        follow_frames(*team, ready.loaded, options, ready.cache.get());
+        follow_frames(*team, loaded, options, cache.get());
         team->part();
         return 0;
     }
     const std::string command_line = table.command_line();
     std::optional<Distribution> distribution;
-    if (team) distribution.emplace(FrameLeader(*team), ready.fingerprint);
+    if (team) distribution.emplace(FrameLeader(*team), fingerprint);
     const auto part = [&] {
         if (!distribution || !distribution->leader.is_idle()) return;
         distribution->leader.dismiss();
         team->part();
     };
     try {
-        PictureSession session(ready.loaded, options, ready.cache.get(),
-                               distribution ? &*distribution : nullptr, table.program(), command_line, warn);
+        PictureSession session(loaded, options, cache.get(), distribution ? &*distribution : nullptr,
+                               table.program(), command_line, warn);
         if (options.is_sequence())
             render_sequence(session, options, channels, warn);
         else

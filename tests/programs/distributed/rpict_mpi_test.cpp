@@ -97,7 +97,7 @@ TEST_F(RpictMpi, makes_the_same_picture) {
     const std::string rpict = std::string("rpict -ab 1 -ad 16 -x 40 -y 30") + camera;
     expect_same(rpict + "-o p.exr -z p.z ../room.oct", 3);
     expect_same(rpict + "-ps 1 -o p.hdr ../room.oct");
-    expect_same(rpict + "-spp 4 -se e.exr -o p.exr -z p.z ../room.oct");
+    expect_same(rpict + "-spp 4 -se e.exr -split s.exr -o p.exr -z p.z ../room.oct");
     expect_same(rpict + "-pd .5 -cs 5 -o p.hsr ../room.oct");
     expect_same(rpict + "< ../room.oct > p.hdr");
 }

@@ -87,14 +87,18 @@ Fingerprint fingerprint_of(const LoadedScene& loaded, const std::string& command
     Fingerprint fingerprint;
     fingerprint.add_text(version_string());
     fingerprint.add_text(command);
+    for (const std::string& line : loaded.header) fingerprint.add_text(line);
+    fingerprint.add_text({reinterpret_cast<const char*>(&loaded.cube), sizeof loaded.cube});
     std::vector<std::string> names = words;
     names.emplace_back("rayinit.cal");
     names.insert(names.end(), loaded.files.begin(), loaded.files.end());
     for (const ScenePart& part : loaded.scene->parts()) {
         const Scene& scene = part.text;
         names.insert(names.end(), scene.files().begin(), scene.files().end());
-        for (PrimitiveId id = 0; id < scene.size(); ++id)
+        for (PrimitiveId id = 0; id < scene.size(); ++id) {
+            fingerprint.add_text(scene.name(id));
             for (const std::string_view text : scene.strings(id)) names.emplace_back(text);
+        }
     }
     fingerprint.add_files(std::move(names));
     return fingerprint;

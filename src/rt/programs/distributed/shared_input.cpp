@@ -45,7 +45,7 @@ void make_standard_input(const Bytes& bytes) {
 
 }  // namespace
 
-void share_standard_input(Team& team) {
+Bytes share_standard_input(Team& team) {
     Bytes bytes;
     take_step(team, [&] {
         if (team.leads()) bytes = read_all();
@@ -56,6 +56,7 @@ void share_standard_input(Team& team) {
         make_standard_input(bytes);
         return 0;
     });
+    return bytes;
 }
 
 }  // namespace infra

@@ -5,8 +5,8 @@
 
 namespace infra {
 
-/// Reads rank 0's standard input to its end, and makes what was in it the standard input of every rank.
+/// Reads rank 0's standard input to its end, and makes what was in it the standard input of every rank. Returns it.
 ///   throws  Error when it cannot be read
-void share_standard_input(Team& team);
+Bytes share_standard_input(Team& team);
 
 }  // namespace infra
