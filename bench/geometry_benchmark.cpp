@@ -81,8 +81,7 @@ template <class Ask>
 void add(const std::string& name, const RaySet& set, Ask ask) {
     benchmark::RegisterBenchmark((name + "/" + set.name).c_str(),
                                  [&set, ask](benchmark::State& state) { time_rays(state, set, ask); })
-        ->Unit(benchmark::kMillisecond)
-        ->MinTime(0.2);
+        ->Unit(benchmark::kMillisecond);
 }
 
 void add_benchmarks(TestScene& scene) {

@@ -1,7 +1,5 @@
 #include "rt/geometry/bvh.h"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -9,12 +7,11 @@
 namespace infra {
 namespace {
 
-/// Of lanes without a child: no ray that is none of numbers, which meets every box, may go round in circles.
-constexpr std::int32_t empty_leaf = ~0;
-
-constexpr int bin_count = 16;
-constexpr int leaf_size = 2;
-constexpr int deepest = 60;  // of the binary tree; a walk's stack holds three entries a level
+constexpr int most_bins = 16;
+constexpr std::size_t leaf_size = 8;
+// From this depth of the binary tree on, ranges are halved, so that it ends before depth 60 and a walk's
+// stack is enough: seven entries a level.
+constexpr int halving_depth = 32;
 
 typedef float Float4 __attribute__((vector_size(16)));
 typedef std::int32_t Int4 __attribute__((vector_size(16)));
@@ -51,15 +48,31 @@ FloatBox box_of(const Bvh::Item& item) { return {load(item.lo), load(item.hi)}; 
 struct Binning {
     Float4 low, scale;
 
-    explicit Binning(const FloatBox& centers) : low(centers.lo), scale{} {
+    Binning(const FloatBox& centers, int bins) : low(centers.lo), scale{} {
         for (int axis = 0; axis < 3; ++axis) {
             const float extent = centers.hi[axis] - centers.lo[axis];
-            if (extent > 0) scale[axis] = bin_count * (1.0f - 1e-6f) / extent;
+            if (extent > 0) scale[axis] = static_cast<float>(bins) * (1.0f - 1e-6f) / extent;
         }
     }
     Int4 operator()(const FloatBox& box) const {
         return __builtin_convertvector(((box.lo + box.hi) * 0.5f - low) * scale, Int4);
     }
+};
+
+/// Steps of a power of two from an origin; so many of them reach from lo to hi, on one axis.
+struct Steps {
+    float origin;
+    int exponent;
+
+    Steps(double lo, double hi, int count) : origin(static_cast<float>(lo)) {
+        if (origin > lo) origin = std::nextafter(origin, -inf);
+        constexpr int least = -100;
+        const double step = (hi - origin) / count;
+        exponent = step > 0 ? std::max(std::ilogb(step), least) : least;
+        if (std::ldexp(static_cast<double>(count), exponent) < hi - origin) ++exponent;
+    }
+    double in_steps(double x) const { return std::ldexp(x - origin, -exponent); }
+    std::uint8_t biased_exponent() const { return static_cast<std::uint8_t>(exponent + 127); }
 };
 
 }  // namespace
@@ -74,20 +87,22 @@ struct Bvh::Builder {
 
     Bvh& bvh;
     std::vector<Item> items;
-    float pad;
+    const Corners& corners_of;
+    double pad;
 
     // Splits a range in two by the surface area heuristic; false if it had better stay a leaf.
     bool split(const Range& range, Range& left, Range& right) {
-        if (range.size() <= leaf_size || range.depth >= deepest) return false;
+        if (range.size() <= leaf_size) return false;
         FloatBox centers;
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const FloatBox b = box_of(items[i]);
             const Float4 center = (b.lo + b.hi) * 0.5f;
             centers.extend({center, center});
         }
-        const Binning bin(centers);
-        FloatBox box[3][bin_count];
-        std::uint32_t count[3][bin_count] = {};
+        const int bins = range.size() < 64 ? most_bins / 2 : most_bins;
+        const Binning bin(centers, bins);
+        FloatBox box[3][most_bins];
+        std::uint32_t count[3][most_bins] = {};
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const FloatBox b = box_of(items[i]);
             const Int4 place = bin(b);
@@ -100,17 +115,17 @@ struct Bvh::Builder {
         int best_axis = -1, best_bin = 0;
         for (int axis = 0; axis < 3; ++axis) {
             if (!(bin.scale[axis] > 0)) continue;
-            float right_cost[bin_count];
+            float right_cost[most_bins];
             FloatBox sum;
             std::size_t n = 0;
-            for (int b = bin_count - 1; b > 0; --b) {
+            for (int b = bins - 1; b > 0; --b) {
                 sum.extend(box[axis][b]);
                 n += count[axis][b];
                 right_cost[b] = sum.half_area() * static_cast<float>(n);
             }
             sum = FloatBox{};
             n = 0;
-            for (int b = 0; b < bin_count - 1; ++b) {
+            for (int b = 0; b < bins - 1; ++b) {
                 sum.extend(box[axis][b]);
                 n += count[axis][b];
                 const float cost = sum.half_area() * static_cast<float>(n) + right_cost[b + 1];
@@ -123,7 +138,8 @@ struct Bvh::Builder {
         }
         left = {range.begin, range.begin, {}, range.depth + 1};
         right = {range.end, range.end, {}, range.depth + 1};
-        if (best_axis < 0) {  // all centres in one place
+        if (best_axis < 0 ||
+            range.depth >= halving_depth) {  // all centres in one place, or too many near one
             left.end = right.begin = range.begin + range.size() / 2;
         } else {
             const auto begin = items.begin();
@@ -138,12 +154,13 @@ struct Bvh::Builder {
         return true;
     }
 
-    // Makes the node of a range that has been split at least once; returns its index.
-    std::int32_t make_node(const Range& a, const Range& b) {
-        Range children[4] = {a, b, {}, {}};
-        bool is_leaf[4] = {false, false, false, false};
-        int count = 2;
-        while (count < 4) {  // open the largest child that can be split
+    // Makes the node of a range; returns its index.
+    std::uint32_t make_node(const Range& range) {
+        constexpr int width = BvhNode::width;
+        Range children[width] = {range};
+        bool is_leaf[width] = {};
+        int count = 1;
+        while (count < width) {  // open the largest child that can be split
             int largest = -1;
             for (int i = 0; i < count; ++i)
                 if (!is_leaf[i] &&
@@ -158,34 +175,67 @@ struct Bvh::Builder {
                 is_leaf[largest] = true;
             }
         }
-        const auto index = static_cast<std::int32_t>(bvh.nodes_.size());
-        bvh.nodes_.emplace_back();
-        for (int i = 0; i < 4; ++i) {
-            std::int32_t child = empty_leaf;
-            if (i < count) {
-                Range left, right;
-                const bool inner = !is_leaf[i] && split(children[i], left, right);
-                child = inner ? make_node(left, right) : make_leaf(children[i]);
-            }
-            set_child(bvh.nodes_[static_cast<std::size_t>(index)], i,
-                      i < count ? children[i].box : FloatBox{}, child);
+        const std::size_t index = bvh.nodes_.size();
+        bvh.nodes_.push_back(packed_boxes(range, children, count));
+        for (int i = 0; i < count; ++i) {
+            const bool leaf = children[i].size() <= leaf_size;
+            const std::uint32_t child = leaf ? make_leaf(children[i]) : make_node(children[i]);
+            bvh.nodes_[index].child[i] = child;
         }
-        return index;
+        return static_cast<std::uint32_t>(index);
     }
 
-    std::int32_t make_leaf(const Range& range) {
-        const auto first = static_cast<std::int32_t>(bvh.items_.size());
-        for (std::size_t i = range.begin; i < range.end; ++i) bvh.items_.push_back(items[i].id());
-        bvh.items_.push_back(end_of_leaf);
-        return ~first;
-    }
-
-    void set_child(Node& node, int lane, const FloatBox& box, std::int32_t child) const {
+    BvhNode packed_boxes(const Range& range, const Range* children, int count) const {
+        BvhNode node{};
+        node.count = static_cast<std::uint8_t>(count);
         for (int axis = 0; axis < 3; ++axis) {
-            node.plane[0][axis][lane] = box.lo[axis] - pad;
-            node.plane[1][axis][lane] = box.hi[axis] + pad;
+            const Steps steps(double{range.box.lo[axis]} - pad, double{range.box.hi[axis]} + pad, 255);
+            node.origin[axis] = steps.origin;
+            node.exponent[axis] = steps.biased_exponent();
+            for (int i = 0; i < count; ++i) {
+                const double lo = std::floor(steps.in_steps(double{children[i].box.lo[axis]} - pad));
+                const double hi = std::ceil(steps.in_steps(double{children[i].box.hi[axis]} + pad));
+                node.plane[0][axis][i] = static_cast<std::uint8_t>(lo);
+                node.plane[1][axis][i] = static_cast<std::uint8_t>(hi);
+            }
         }
-        node.child[lane] = child;
+        return node;
+    }
+
+    std::uint32_t make_leaf(const Range& range) {
+        std::array<Vec3, 3> corners[BvhLeaf::largest];
+        std::uint32_t triangles[BvhLeaf::largest], others[BvhLeaf::largest];
+        unsigned triangle_count = 0, other_count = 0;
+        Bounds box;
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            const std::uint32_t id = items[i].id();
+            if (corners_of(id, corners[triangle_count])) {
+                for (const Vec3& corner : corners[triangle_count]) box.extend(corner);
+                triangles[triangle_count++] = id;
+            } else {
+                others[other_count++] = id;
+            }
+        }
+        const std::size_t begin = bvh.leaves_.size();
+        bvh.leaves_.resize(begin + leaf_units(other_count, triangle_count));
+        auto& leaf = *reinterpret_cast<BvhLeaf*>(&bvh.leaves_[begin]);
+        leaf.triangles = static_cast<std::uint8_t>(triangle_count);
+        leaf.others = static_cast<std::uint8_t>(other_count);
+        std::copy_n(others, other_count, leaf.items());
+        std::copy_n(triangles, triangle_count, leaf.items() + other_count);
+        if (triangle_count > 0) {
+            std::uint16_t* row = leaf.rows();
+            for (int axis = 0; axis < 3; ++axis) {
+                const Steps steps(box.lo[axis], box.hi[axis], 65535);
+                leaf.origin[axis] = steps.origin;
+                leaf.exponent[axis] = steps.biased_exponent();
+                for (std::size_t corner = 0; corner < 3; ++corner)
+                    for (unsigned i = 0; i < triangle_count; ++i)
+                        *row++ =
+                            static_cast<std::uint16_t>(std::lround(steps.in_steps(corners[i][corner][axis])));
+            }
+        }
+        return static_cast<std::uint32_t>(begin) | BvhNode::leaf_bit;
     }
 };
 
@@ -198,11 +248,16 @@ Bvh::Item::Item(const Bounds& box, std::uint32_t id) {
     hi[3] = 0;
 }
 
-void Bvh::build(std::vector<Item> items) {
+std::size_t Bvh::leaf_units(unsigned others, unsigned triangles) {
+    const std::size_t bytes = sizeof(BvhLeaf) + 4 * (others + triangles) + 18 * triangles;
+    return (bytes + BvhLeaf::alignment - 1) / BvhLeaf::alignment;
+}
+
+void Bvh::build(std::vector<Item> items, const Corners& corners) {
     nodes_.clear();
-    items_.clear();
+    leaves_.clear();
     if (items.empty()) return;
-    Builder builder{*this, std::move(items), 0};
+    Builder builder{*this, std::move(items), corners, 0};
     const std::size_t item_count = builder.items.size();
     FloatBox whole;
     for (const Item& item : builder.items) whole.extend(box_of(item));
@@ -217,23 +272,19 @@ void Bvh::build(std::vector<Item> items) {
     reach += std::max({size.x, size.y, size.z});  // rays start that near
     near_lo_ = box_.lo - size;
     near_hi_ = box_.hi + size;
-    const double pad = 2.5e-7 * reach;  // two roundings to single precision, the plane's and the ray's
-    box_.lo -= Vec3(pad);
-    box_.hi += Vec3(pad);
-    builder.pad = static_cast<float>(pad);
+    // Of boxes: 16 u for what the walk rounds (bvh_kernel.h), and what shapes count as theirs beyond their
+    // edges.
+    constexpr double u = 0x1p-24, outline = 1.1e-6;
+    builder.pad = 16 * u * reach + outline;
+    box_.lo -= Vec3(builder.pad);
+    box_.hi += Vec3(builder.pad);
+    reach_ = static_cast<float>(reach + 2 * builder.pad);
 
-    const Builder::Range all{0, item_count, whole, 0};
-    Builder::Range left, right;
-    nodes_.reserve(item_count / 2 + 1);  // more than is needed mostly; what is not touched takes no memory
-    items_.reserve(item_count + item_count / 2);
-    items_.push_back(end_of_leaf);  // the empty leaf
-    if (builder.split(all, left, right)) {
-        builder.make_node(left, right);
-    } else {
-        nodes_.emplace_back();
-        builder.set_child(nodes_[0], 0, whole, builder.make_leaf(all));
-        for (int lane = 1; lane < 4; ++lane) builder.set_child(nodes_[0], lane, FloatBox{}, empty_leaf);
-    }
+    // More than is needed mostly; what is not touched takes no memory.
+    nodes_.reserve(item_count / 4 + 1);
+    leaves_.reserve(3 * item_count + 8);
+    builder.make_node({0, item_count, whole, 0});
+    leaves_.resize(leaves_.size() + 2);  // the kernel loads 16 bytes where fewer are left
 }
 
 bool Bvh::advance_to_box(const Vec3& origin, const Vec3& direction, double limit, double& enter) const {

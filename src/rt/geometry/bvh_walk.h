@@ -1,23 +1,34 @@
 // The walk of a ray through the hierarchy; for the files that trace rays only.
 #pragma once
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "rt/geometry/bvh.h"
 
 namespace infra {
 
-/// A bit for each lane whose comparison held.
-inline int Bvh::mask_bits(Int4 mask) {
-#if defined(__SSE__)
-    return __builtin_ia32_movmskps(reinterpret_cast<Float4>(mask));
-#else
-    return (mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8);
-#endif
-}
+/// A ray as the kernel takes it: near the hierarchy's box, in single precision.
+struct BvhRay {
+    static constexpr int stack_size = 512;
+    typedef float Four __attribute__((vector_size(16)));
 
-template <class Visit, class Limit>
+    const BvhNode* nodes;
+    const std::uint8_t* leaves;
+    Four origin;                ///< the fourth is 0
+    Four inverse;               ///< of the direction; the fourth is 0
+    std::int32_t near_side[3];  ///< by axis, which side of a box the ray meets first
+    std::int32_t axis[4];       ///< across, across, along the ray; the last again
+    float shear[2];             ///< what takes a coordinate along the ray off those across
+    float inverse_along;
+    float error;  ///< of a projected coordinate (bvh_kernel.h)
+    float limit;  ///< distance beyond which nothing is asked for
+    /// Called with the items of a leaf and a bit for each that may be met; may lower `limit`. True ends the
+    /// walk.
+    bool (*visit)(BvhRay& ray, const std::uint32_t* items, unsigned hits);
+};
+
+template <Bvh::Order order, class Visit, class Limit>
 void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&& limit) const {
     if (nodes_.empty()) return;
 
@@ -25,62 +36,51 @@ void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&&
     double enter = 0;
     if (!near_box(origin) && !advance_to_box(origin, direction, limit(), enter)) return;
 
-    const auto component = [](double d) {
-        return static_cast<float>(std::fabs(d) < 1e-30 ? std::copysign(1e-30, d) : d);
+    struct Query : BvhRay {
+        Visit& visit_item;
+        Limit& current_limit;
+        double moved;
+
+        void update() {
+            constexpr float outward = 1.0f + 6e-7f;
+            BvhRay::limit = static_cast<float>(current_limit() - moved) * outward;
+        }
+        static bool visit_items(BvhRay& ray, const std::uint32_t* items, unsigned hits) {
+            auto& query = static_cast<Query&>(ray);
+            for (; hits; hits &= hits - 1)
+                if (query.visit_item(items[std::countr_zero(hits)])) return true;
+            query.update();
+            return false;
+        }
     };
-    const Float4 d{component(direction.x), component(direction.y), component(direction.z), 1.0f};
-    const Float4 inverse = 1.0f / d;
-    Float4 start[3], slope[3];
-    int near_side[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const float o = static_cast<float>(origin[axis] + direction[axis] * enter);
-        const float i = inverse[axis];
-        start[axis] = Float4{o, o, o, o};
-        slope[axis] = Float4{i, i, i, i};
-        near_side[axis] = i < 0;
-    }
-
-    constexpr float outward = 1.0f + 6e-7f;  // rounding of the far distances, four operations
-    // Nodes to visit and where the ray enters them, in two arrays so that no load spans two stores.
-    std::int32_t stack[stack_size];
-    float entry[stack_size];
-    int depth = 1;
-    stack[0] = 0;
-    entry[0] = 0.0f;
-    float far = static_cast<float>(limit() - enter) * outward;
-
-    while (depth > 0) {
-        const std::int32_t place = stack[--depth];
-        if (entry[depth] > far) continue;
-        if (place < 0) {
-            for (const std::uint32_t* item = &items_[static_cast<std::size_t>(~place)]; *item != end_of_leaf;
-                 ++item)
-                if (visit(*item)) return;
-            far = static_cast<float>(limit() - enter) * outward;
-            continue;
-        }
-        const Node& node = nodes_[static_cast<std::size_t>(place)];
-        Float4 t_near = Float4{0, 0, 0, 0};
-        Float4 t_far = Float4{far, far, far, far};
-        for (int axis = 0; axis < 3; ++axis) {
-            const Float4 t0 = (node.plane[near_side[axis]][axis] - start[axis]) * slope[axis];
-            const Float4 t1 = (node.plane[1 - near_side[axis]][axis] - start[axis]) * slope[axis] * outward;
-            t_near = t0 > t_near ? t0 : t_near;
-            t_far = t1 < t_far ? t1 : t_far;
-        }
-        const int first = depth;
-        for (int hits = mask_bits(t_near <= t_far); hits; hits &= hits - 1) {
-            const int lane = __builtin_ctz(static_cast<unsigned>(hits));
-            const float t = t_near[lane];
-            int i = depth++;  // keep the nearest on top
-            for (; i > first && entry[i - 1] < t; --i) {
-                entry[i] = entry[i - 1];
-                stack[i] = stack[i - 1];
-            }
-            entry[i] = t;
-            stack[i] = node.child[lane];
-        }
-    }
+    Query query{{}, visit, limit, enter};
+    query.nodes = nodes_.data();
+    query.leaves = leaves_.front().bytes;
+    query.visit = Query::visit_items;
+    query.error = 1.2e-6f * reach_;
+    // Within the box's neighbourhood a slope of 1e-12 is as good as none.
+    const auto component = [](double d) {
+        return static_cast<float>(std::fabs(d) < 1e-12 ? std::copysign(1e-12, d) : d);
+    };
+    const BvhRay::Four slope{component(direction.x), component(direction.y), component(direction.z), 1.0f};
+    query.inverse = 1.0f / slope;
+    query.inverse[3] = 0.0f;
+    query.origin = BvhRay::Four{static_cast<float>(origin.x + direction.x * enter),
+                                static_cast<float>(origin.y + direction.y * enter),
+                                static_cast<float>(origin.z + direction.z * enter), 0.0f};
+    for (int axis = 0; axis < 3; ++axis) query.near_side[axis] = slope[axis] < 0;
+    int along = std::fabs(slope[1]) > std::fabs(slope[0]) ? 1 : 0;
+    if (std::fabs(slope[2]) > std::fabs(slope[along])) along = 2;
+    constexpr int next[] = {1, 2, 0, 1};
+    const int x = next[along], y = next[along + 1];
+    query.axis[0] = x;
+    query.axis[1] = y;
+    query.axis[2] = query.axis[3] = along;
+    query.inverse_along = query.inverse[along];
+    query.shear[0] = -slope[x] * query.inverse_along;
+    query.shear[1] = -slope[y] * query.inverse_along;
+    query.update();
+    (order == Order::nearest_first ? kernel_.nearest_first : kernel_.any)(query);
 }
 
 }  // namespace infra

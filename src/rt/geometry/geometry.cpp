@@ -123,7 +123,15 @@ bool Geometry::add_cone(PrimitiveType type, std::span<const double> numbers, int
 }
 
 void Geometry::build() {
-    bvh_.build(std::move(items_));
+    bvh_.build(std::move(items_), [this](ShapeRef shape, std::array<Vec3, 3>& corners) {
+        if (kind(shape) == triangle)
+            corners = triangles_[index(shape)].corners();
+        else if (kind(shape) == facet)
+            corners = facets_.corners(facets_.all()[index(shape)]);
+        else
+            return false;
+        return true;
+    });
     sort_by_leaves(triangles_, triangle);
     if (role_ == Role::scene)
         for (std::size_t i = 0; i < triangles_.size(); ++i)
@@ -133,18 +141,18 @@ void Geometry::build() {
 
 // Brings shapes of one kind into the order of the hierarchy's leaves, so that those of a leaf share cache
 // lines.
-template <class Shape>
-void Geometry::sort_by_leaves(std::vector<Shape>& shapes, Kind sorted) {
+template <class Shapes>
+void Geometry::sort_by_leaves(Shapes& shapes, Kind sorted) {
     std::vector<std::uint32_t> old_place;  // by new place
     old_place.reserve(shapes.size());
-    for (ShapeRef& item : bvh_.items())
-        if (item != Bvh::end_of_leaf && kind(item) == sorted) {
-            old_place.push_back(static_cast<std::uint32_t>(index(item)));
-            item = shape_ref(sorted, old_place.size() - 1);
-        }
+    bvh_.for_each_item([&](ShapeRef& item) {
+        if (kind(item) != sorted) return;
+        old_place.push_back(static_cast<std::uint32_t>(index(item)));
+        item = shape_ref(sorted, old_place.size() - 1);
+    });
     for (std::size_t start = 0; start < old_place.size(); ++start) {  // each cycle of the permutation in turn
         if (old_place[start] == start) continue;
-        const Shape first = shapes[start];
+        const auto first = shapes[start];
         std::size_t place = start;
         while (old_place[place] != start) {
             const std::size_t from = old_place[place];
@@ -181,7 +189,7 @@ inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direc
 void Geometry::intersect(const Vec3& origin, const Vec3& direction, const PlacedShape& leaving,
                          HitState& state) const {
     const ShapeRef own = leaving.placement ? no_shape : leaving.shape;
-    bvh_.walk(
+    bvh_.walk<Bvh::Order::nearest_first>(
         origin, direction,
         [&](std::uint32_t shape) {
             if (shape != own) test(shape, origin, direction, leaving, state);
@@ -200,7 +208,7 @@ Geometry::View Geometry::view_before(const Vec3& origin, const Vec3& direction, 
                                      const PlacedShape& leaving) const {
     View found = View::clear;
     const ShapeRef own = leaving.placement ? no_shape : leaving.shape;
-    bvh_.walk(
+    bvh_.walk<Bvh::Order::any>(
         origin, direction,
         [&](std::uint32_t shape) {
             if (shape == own) return false;

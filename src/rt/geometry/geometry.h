@@ -130,8 +130,8 @@ class Geometry {
     View view_before(const Vec3& origin, const Vec3& direction, double limit,
                      const PlacedShape& leaving) const;
     void note(Kind kind, std::size_t index, int surface, const Bounds& box);
-    template <class Shape>
-    void sort_by_leaves(std::vector<Shape>& shapes, Kind kind);
+    template <class Shapes>
+    void sort_by_leaves(Shapes& shapes, Kind kind);
 
     // instances.cpp
     static PlacedShape leaving_inside(const Instance& it, const PlacedShape& leaving);
@@ -147,7 +147,7 @@ class Geometry {
 
     const SurfaceTable& table_;
     Role role_;
-    std::vector<Triangle> triangles_;
+    LargeVector<Triangle> triangles_;
     std::vector<Polygon> polygons_;
     std::vector<std::unique_ptr<double[]>> corners_;
     std::vector<Bvh::Item> items_;  // for building only

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/large_pages.h"
 #include "rt/shapes/hit_state.h"
 
 namespace infra {
@@ -26,7 +27,7 @@ class Facets {
     ///   surface_of  by material of the mesh, and last for what has none
     Facets(Mesh& mesh, std::span<const int> surface_of);
 
-    std::vector<Facet>& all() { return facets_; }
+    LargeVector<Facet>& all() { return facets_; }
     std::array<Vec3, 3> corners(const Facet& facet) const {
         return {positions_[facet.vertex[0]], positions_[facet.vertex[1]], positions_[facet.vertex[2]]};
     }
@@ -61,7 +62,7 @@ class Facets {
     Detail detail(std::size_t i, const Vec3& point) const;
 
   private:
-    std::vector<Facet> facets_;
+    LargeVector<Facet> facets_;
     std::vector<Vec3> positions_;
     std::vector<std::array<float, 3>> normals_;  // as many as positions or none
     std::vector<std::array<double, 2>> uv_;      // as many as positions or none

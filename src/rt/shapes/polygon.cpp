@@ -47,6 +47,22 @@ Triangle::Triangle(const Vec3& a, const Vec3& b, const Vec3& c, int surface_inde
     c_d = (a[u] * ab[v] - a[v] * ab[u]) / area;
 }
 
+std::array<Vec3, 3> Triangle::corners() const {
+    // The second and third barycentric coordinates are (0, 0), (1, 0) and (0, 1) there.
+    const double determinant = b_u * c_v - b_v * c_u;
+    constexpr double coordinates[3][2] = {{0, 0}, {1, 0}, {0, 1}};
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    std::array<Vec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double second = coordinates[i][0] - b_d, third = coordinates[i][1] - c_d;
+        Vec3& p = corners[i];
+        p[u] = (second * c_v - third * b_v) / determinant;
+        p[v] = (third * b_u - second * c_u) / determinant;
+        p[axis] = plane_d - plane_u * p[u] - plane_v * p[v];
+    }
+    return corners;
+}
+
 Vec3 Triangle::normal() const {
     Vec3 n;
     n[axis] = 1;

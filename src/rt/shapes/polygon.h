@@ -2,6 +2,7 @@
 // test in the plane of two axes, which copes with concave outlines and with holes cut by seams.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -54,6 +55,8 @@ struct Triangle {
 
     /// Unit normal.
     Vec3 normal() const;
+    /// To rounding.
+    std::array<Vec3, 3> corners() const;
 };
 
 struct Polygon {
