@@ -4,6 +4,8 @@
 #include <cstring>
 #include <utility>
 
+#include "common/error.h"
+
 namespace infra {
 namespace {
 
@@ -86,13 +88,31 @@ struct Bvh::Builder {
     };
 
     Bvh& bvh;
-    std::vector<Item> items;
+    LargeVector<Item>& items;
+    std::size_t triangle_count;
     const Corners& corners_of;
     double pad;
+    std::vector<std::uint32_t> order;  // of the triangles
+
+    bool mixed(const Range& range) const {
+        return range.begin < triangle_count && range.end > triangle_count;
+    }
+    bool is_leaf(const Range& range) const { return range.size() <= leaf_size && !mixed(range); }
 
     // Splits a range in two by the surface area heuristic; false if it had better stay a leaf.
     bool split(const Range& range, Range& left, Range& right) {
-        if (range.size() <= leaf_size) return false;
+        if (is_leaf(range)) return false;
+        left = {range.begin, range.begin, {}, range.depth + 1};
+        right = {range.end, range.end, {}, range.depth + 1};
+        left.end = right.begin = mixed(range) ? triangle_count : place_to_split(range);
+        for (std::size_t i = left.begin; i < left.end; ++i) left.box.extend(box_of(items[i]));
+        for (std::size_t i = right.begin; i < right.end; ++i) right.box.extend(box_of(items[i]));
+        return true;
+    }
+
+    // Sorts a range's items into two parts and returns where the second begins.
+    std::size_t place_to_split(const Range& range) {
+        if (range.depth >= halving_depth) return range.begin + range.size() / 2;
         FloatBox centers;
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const FloatBox b = box_of(items[i]);
@@ -136,34 +156,24 @@ struct Bvh::Builder {
                 }
             }
         }
-        left = {range.begin, range.begin, {}, range.depth + 1};
-        right = {range.end, range.end, {}, range.depth + 1};
-        if (best_axis < 0 ||
-            range.depth >= halving_depth) {  // all centres in one place, or too many near one
-            left.end = right.begin = range.begin + range.size() / 2;
-        } else {
-            const auto begin = items.begin();
-            const auto middle =
-                std::partition(begin + static_cast<std::ptrdiff_t>(range.begin),
-                               begin + static_cast<std::ptrdiff_t>(range.end),
-                               [&](const Item& item) { return bin(box_of(item))[best_axis] <= best_bin; });
-            left.end = right.begin = static_cast<std::size_t>(middle - begin);
-        }
-        for (std::size_t i = left.begin; i < left.end; ++i) left.box.extend(box_of(items[i]));
-        for (std::size_t i = right.begin; i < right.end; ++i) right.box.extend(box_of(items[i]));
-        return true;
+        if (best_axis < 0) return range.begin + range.size() / 2;  // all centres in one place
+        const auto begin = items.begin();
+        const auto middle = std::partition(
+            begin + static_cast<std::ptrdiff_t>(range.begin), begin + static_cast<std::ptrdiff_t>(range.end),
+            [&](const Item& item) { return bin(box_of(item))[best_axis] <= best_bin; });
+        return static_cast<std::size_t>(middle - begin);
     }
 
     // Makes the node of a range; returns its index.
     std::uint32_t make_node(const Range& range) {
         constexpr int width = BvhNode::width;
         Range children[width] = {range};
-        bool is_leaf[width] = {};
+        bool closed[width] = {};
         int count = 1;
         while (count < width) {  // open the largest child that can be split
             int largest = -1;
             for (int i = 0; i < count; ++i)
-                if (!is_leaf[i] &&
+                if (!closed[i] &&
                     (largest < 0 || children[i].box.half_area() > children[largest].box.half_area()))
                     largest = i;
             if (largest < 0) break;
@@ -172,14 +182,14 @@ struct Bvh::Builder {
                 children[largest] = left;
                 children[count++] = right;
             } else {
-                is_leaf[largest] = true;
+                closed[largest] = true;
             }
         }
         const std::size_t index = bvh.nodes_.size();
         bvh.nodes_.push_back(packed_boxes(range, children, count));
         for (int i = 0; i < count; ++i) {
-            const bool leaf = children[i].size() <= leaf_size;
-            const std::uint32_t child = leaf ? make_leaf(children[i]) : make_node(children[i]);
+            const std::uint32_t child =
+                is_leaf(children[i]) ? make_leaf(children[i]) : make_node(children[i]);
             bvh.nodes_[index].child[i] = child;
         }
         return static_cast<std::uint32_t>(index);
@@ -202,40 +212,40 @@ struct Bvh::Builder {
         return node;
     }
 
+    // Replaces the items of a range of triangles by what the kernel needs of them.
     std::uint32_t make_leaf(const Range& range) {
-        std::array<Vec3, 3> corners[BvhLeaf::largest];
-        std::uint32_t triangles[BvhLeaf::largest], others[BvhLeaf::largest];
-        unsigned triangle_count = 0, other_count = 0;
-        Bounds box;
-        for (std::size_t i = range.begin; i < range.end; ++i) {
-            const std::uint32_t id = items[i].id();
-            if (corners_of(id, corners[triangle_count])) {
-                for (const Vec3& corner : corners[triangle_count]) box.extend(corner);
-                triangles[triangle_count++] = id;
-            } else {
-                others[other_count++] = id;
+        if (range.begin < triangle_count) {
+            const std::size_t count = range.size();
+            std::array<Vec3, 3> corners[BvhLeaf::largest];
+            Bounds box;
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::uint32_t id = items[range.begin + i].id();
+                order[range.begin + i] = id;
+                corners[i] = corners_of(id);
+                for (const Vec3& corner : corners[i]) box.extend(corner);
             }
-        }
-        const std::size_t begin = bvh.leaves_.size();
-        bvh.leaves_.resize(begin + leaf_units(other_count, triangle_count));
-        auto& leaf = *reinterpret_cast<BvhLeaf*>(&bvh.leaves_[begin]);
-        leaf.triangles = static_cast<std::uint8_t>(triangle_count);
-        leaf.others = static_cast<std::uint8_t>(other_count);
-        std::copy_n(others, other_count, leaf.items());
-        std::copy_n(triangles, triangle_count, leaf.items() + other_count);
-        if (triangle_count > 0) {
-            std::uint16_t* row = leaf.rows();
+            BvhLeaf leaf;
+            int exponent = -127;
             for (int axis = 0; axis < 3; ++axis) {
                 const Steps steps(box.lo[axis], box.hi[axis], 65535);
                 leaf.origin[axis] = steps.origin;
-                leaf.exponent[axis] = steps.biased_exponent();
-                for (std::size_t corner = 0; corner < 3; ++corner)
-                    for (unsigned i = 0; i < triangle_count; ++i)
-                        *row++ =
-                            static_cast<std::uint16_t>(std::lround(steps.in_steps(corners[i][corner][axis])));
+                exponent = std::max(exponent, steps.exponent);
             }
+            leaf.exponent = static_cast<std::uint16_t>(exponent + 127);
+            std::uint16_t* row = leaf.rows;
+            const double steps_per_unit = std::ldexp(1.0, -exponent);
+            for (int axis = 0; axis < 3; ++axis)
+                for (std::size_t corner = 0; corner < 3; ++corner)
+                    for (std::size_t i = 0; i < count; ++i)
+                        *row++ = static_cast<std::uint16_t>(
+                            (corners[i][corner][axis] - leaf.origin[axis]) * steps_per_unit + 0.5);
+            static_assert(BvhLeaf::size(BvhLeaf::largest) <= sizeof leaf && BvhLeaf::size(1) <= sizeof(Item));
+            std::memcpy(static_cast<void*>(&items[range.begin]), &leaf, BvhLeaf::size(count));
+        } else {
+            for (std::size_t i = range.begin; i < range.end; ++i)
+                bvh.others_[i - triangle_count] = items[i].id();
         }
-        return static_cast<std::uint32_t>(begin) | BvhNode::leaf_bit;
+        return BvhLeaf::reference(range.begin, range.size());
     }
 };
 
@@ -248,19 +258,19 @@ Bvh::Item::Item(const Bounds& box, std::uint32_t id) {
     hi[3] = 0;
 }
 
-std::size_t Bvh::leaf_units(unsigned others, unsigned triangles) {
-    const std::size_t bytes = sizeof(BvhLeaf) + 4 * (others + triangles) + 18 * triangles;
-    return (bytes + BvhLeaf::alignment - 1) / BvhLeaf::alignment;
-}
-
-void Bvh::build(std::vector<Item> items, const Corners& corners) {
-    nodes_.clear();
-    leaves_.clear();
-    if (items.empty()) return;
-    Builder builder{*this, std::move(items), corners, 0};
-    const std::size_t item_count = builder.items.size();
+std::vector<std::uint32_t> Bvh::build(LargeVector<Item> triangles, const std::vector<Item>& others,
+                                      const Corners& corners) {
+    const std::size_t item_count = triangles.size() + others.size();
+    if (item_count > BvhLeaf::most_slots) throw Error("too many shapes in one octree");
+    if (item_count == 0) return {};
+    leaves_ = std::move(triangles);
+    triangle_count_ = static_cast<std::uint32_t>(leaves_.size());
+    leaves_.insert(leaves_.end(), others.begin(), others.end());
+    Builder builder{*this, leaves_, triangle_count_, corners, 0, {}};
+    builder.order.resize(triangle_count_);
+    others_.resize(others.size());
     FloatBox whole;
-    for (const Item& item : builder.items) whole.extend(box_of(item));
+    for (const Item& item : leaves_) whole.extend(box_of(item));
     double reach = 0;
     Vec3 size;
     for (int axis = 0; axis < 3; ++axis) {
@@ -280,11 +290,11 @@ void Bvh::build(std::vector<Item> items, const Corners& corners) {
     box_.hi += Vec3(builder.pad);
     reach_ = static_cast<float>(reach + 2 * builder.pad);
 
-    // More than is needed mostly; what is not touched takes no memory.
-    nodes_.reserve(item_count / 4 + 1);
-    leaves_.reserve(3 * item_count + 8);
+    nodes_.reserve(item_count / 8 + 1);  // more than is needed mostly; what is not touched takes no memory
     builder.make_node({0, item_count, whole, 0});
-    leaves_.resize(leaves_.size() + 2);  // the kernel loads 16 bytes where fewer are left
+    leaves_.resize(triangle_count_ + 1);  // the kernel loads 16 bytes where fewer are left
+    if (!others.empty()) leaves_.shrink_to_fit();
+    return std::move(builder.order);
 }
 
 bool Bvh::advance_to_box(const Vec3& origin, const Vec3& direction, double limit, double& enter) const {

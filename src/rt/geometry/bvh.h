@@ -1,12 +1,14 @@
 // Bounding volume hierarchy over the shapes of a scene, built by the surface area heuristic: eight children a
 // node, their boxes in bytes.
 //
-// A node of 96 bytes keeps its children's boxes as multiples of a power of two from a corner of its own, a
-// leaf up to eight shapes and, in the same way, the corners of those that are triangles. The walk of a ray
-// (bvh_kernel.h) tests eight boxes or eight triangles at once in single precision, and hands over the shapes
-// that the ray may meet; those are tested in double precision by whoever asked. All that is rounded, is
-// rounded so that nothing is lost: boxes outward, the sides of triangles by a bound of the error
-// (bvh_kernel.h). So a hit never depends on what the hierarchy is made of.
+// A node of 96 bytes keeps its children's boxes as multiples of a power of two from a corner of its own. A
+// leaf is up to eight shapes of one sort, triangles or others. Shapes are numbered by leaf; that number, the
+// slot, is all that a node says of a leaf. The corners of a leaf's triangles are kept like boxes, in the 32
+// bytes a shape that its item took for the build. The walk of a ray (bvh_kernel.h) tests eight boxes or eight
+// triangles at once in single precision, and hands over the shapes that the ray may meet; those are tested in
+// double precision by whoever asked. All that is rounded, is rounded so that nothing is lost: boxes outward,
+// the sides of triangles by a bound of the error (bvh_kernel.h). So a hit never depends on what the hierarchy
+// is made of.
 //
 // A ray is first moved to where it enters the scene's box, so that single precision is relative to the
 // scene's size however far away the viewer stands.
@@ -46,31 +48,32 @@ struct Bounds {
 /// Eight children. Plane q of an axis lies at origin[axis] + q 2^(exponent[axis] - 127).
 struct BvhNode {
     static constexpr int width = 8;
-    static constexpr std::uint32_t leaf_bit = 1u << 31;
 
     float origin[3];
     std::uint8_t exponent[3];
     std::uint8_t count;               ///< children, the first lanes; never 0
     std::uint8_t plane[2][3][width];  ///< [low or high side][axis]
-    std::uint32_t child[width];       ///< index of a node, or leaf_bit and where a leaf begins
+    std::uint32_t child[width];       ///< index of a node, or a leaf's BvhLeaf::reference
 };
 
-/// What a leaf begins with. Behind it stand the shapes' numbers, 4 bytes each, then the coordinates of
-/// those that are triangles, 2 bytes each: rows of as many as there are triangles, by [axis][corner].
-/// Other shapes stand before the triangles.
+/// Triangles of a leaf. Coordinate q of a corner lies at origin[axis] + q 2^(exponent - 127).
 struct BvhLeaf {
-    static constexpr std::size_t largest = 8;    ///< shapes
-    static constexpr std::size_t alignment = 8;  ///< bytes; what BvhNode::child counts
+    static constexpr std::size_t largest = 8;  ///< shapes
+    static constexpr std::uint32_t flag = 1u << 31;
+    static constexpr int slot_bits = 28;
+    static constexpr std::uint32_t most_slots = 1u << slot_bits;
 
     float origin[3];
-    std::uint8_t exponent[3];
-    std::uint8_t triangles : 4, others : 4;
+    std::uint16_t exponent;
+    std::uint16_t rows[9 * largest];  ///< [axis][corner], as many numbers as there are triangles
 
-    unsigned count() const { return others + triangles; }
-    std::uint32_t* items() { return reinterpret_cast<std::uint32_t*>(this + 1); }
-    const std::uint32_t* items() const { return reinterpret_cast<const std::uint32_t*>(this + 1); }
-    std::uint16_t* rows() { return reinterpret_cast<std::uint16_t*>(items() + count()); }
-    const std::uint16_t* rows() const { return reinterpret_cast<const std::uint16_t*>(items() + count()); }
+    static std::uint32_t reference(std::size_t slot, std::size_t count) {
+        return static_cast<std::uint32_t>(flag | (count - 1) << slot_bits | slot);
+    }
+    static std::uint32_t slot(std::uint32_t reference) { return reference & (most_slots - 1); }
+    static std::uint32_t count(std::uint32_t reference) { return (reference >> slot_bits & 7) + 1; }
+    /// Bytes in use, which are no more than those of the items were.
+    static constexpr std::size_t size(std::size_t triangles) { return 14 + 18 * triangles; }
 };
 
 struct BvhRay;
@@ -88,6 +91,7 @@ class Bvh {
   public:
     /// What the hierarchy is built of: a number that walk() hands back, and its box rounded outward.
     struct Item {
+        Item() = default;
         Item(const Bounds& box, std::uint32_t id);
         std::uint32_t id() const { return std::bit_cast<std::uint32_t>(lo[3]); }
 
@@ -95,24 +99,24 @@ class Bvh {
         float hi[4];
     };
 
-    /// Corners of what is a triangle, and cannot be met but between them. False for other shapes.
-    using Corners = std::function<bool(std::uint32_t id, std::array<Vec3, 3>& corners)>;
+    /// Corners of a triangle, which cannot be met but between them (to rounding), by its item's number.
+    using Corners = std::function<std::array<Vec3, 3>(std::uint32_t id)>;
 
-    void build(std::vector<Item> items, const Corners& corners);
+    /// Returns the numbers of the triangles' items in the order of the leaves: the triangle in slot i, which
+    /// walk() will call i, was item order[i]. Other items keep their numbers, which must not be below that of
+    /// triangles.
+    ///   throws  Error if there are more than 2^28 shapes
+    std::vector<std::uint32_t> build(LargeVector<Item> triangles, const std::vector<Item>& others,
+                                     const Corners& corners);
+    /// Where what is known of each slot's triangle stands in memory, `size` bytes each, to be asked for in
+    /// advance.
+    void set_records(const void* first, std::size_t size) {
+        records_ = static_cast<const std::uint8_t*>(first);
+        record_size_ = static_cast<std::uint32_t>(size);
+    }
 
     /// Around all items; empty if there are none.
     const Bounds& bounds() const { return box_; }
-
-    /// Calls visit(number) for all numbers, in the order of the leaves; it may be exchanged for another of
-    /// the same thing.
-    template <class Visit>
-    void for_each_item(Visit&& visit) {
-        for (std::size_t at = 0; at + 2 < leaves_.size();) {
-            auto& leaf = *reinterpret_cast<BvhLeaf*>(&leaves_[at]);
-            for (unsigned i = 0; i < leaf.count(); ++i) visit(leaf.items()[i]);
-            at += leaf_units(leaf.others, leaf.triangles);
-        }
-    }
 
     enum class Order { nearest_first, any };
 
@@ -123,12 +127,6 @@ class Bvh {
 
   private:
     struct Builder;
-    struct alignas(BvhLeaf::alignment) Unit {
-        std::uint8_t bytes[BvhLeaf::alignment];
-    };
-
-    static std::size_t leaf_units(unsigned others, unsigned triangles);
-
     bool near_box(const Vec3& p) const {
         return p.x >= near_lo_.x && p.y >= near_lo_.y && p.z >= near_lo_.z && p.x <= near_hi_.x &&
                p.y <= near_hi_.y && p.z <= near_hi_.z;
@@ -137,7 +135,11 @@ class Bvh {
     bool advance_to_box(const Vec3& origin, const Vec3& direction, double limit, double& enter) const;
 
     LargeVector<BvhNode> nodes_;
-    LargeVector<Unit> leaves_;
+    LargeVector<Item> leaves_;           ///< by slot; once built, what BvhLeaf says
+    std::vector<std::uint32_t> others_;  ///< numbers of the items in the slots behind the triangles'
+    std::uint32_t triangle_count_ = 0;
+    const std::uint8_t* records_ = nullptr;
+    std::uint32_t record_size_ = 0;
     BvhKernel kernel_ = BvhKernel::best();
     float reach_ = 0;  ///< no coordinate of a shape, or of a ray that has entered, is larger
     Bounds box_;

@@ -16,7 +16,7 @@ namespace infra {
 #pragma GCC target("avx2,fma,bmi,bmi2")
 namespace avx2 {
 namespace {
-// clang-format off: the order counts
+// clang-format off
 #include "rt/geometry/lanes_avx2.h"
 #include "rt/geometry/bvh_kernel.h"
 // clang-format on
@@ -27,7 +27,7 @@ namespace {
 
 namespace portable {
 namespace {
-// clang-format off: the order counts
+// clang-format off
 #include "rt/geometry/lanes_portable.h"
 #include "rt/geometry/bvh_kernel.h"
 // clang-format on

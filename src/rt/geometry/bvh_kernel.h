@@ -16,24 +16,23 @@
 //   is wrong by less than 4 m error + 2 error^2 + 4 u m^2. A triangle that has areas of both signs, both
 //   larger than that, is missed.
 
-inline unsigned triangles_near(const BvhRay& ray, const BvhLeaf& leaf, float limit) {
+inline unsigned triangles_near(const BvhRay& ray, const BvhLeaf& leaf, unsigned n, float limit) {
     const Quad start = (Quad::load(leaf.origin) - Quad::load(ray.origin)).permuted(ray.axis);
-    const Quad step = Quad::powers(leaf.exponent).permuted(ray.axis);
-    const unsigned n = leaf.triangles;
-    const std::uint16_t* const rows[] = {leaf.rows() + 3 * n * static_cast<unsigned>(ray.axis[0]),
-                                         leaf.rows() + 3 * n * static_cast<unsigned>(ray.axis[1]),
-                                         leaf.rows() + 3 * n * static_cast<unsigned>(ray.axis[2])};
-    const Lanes x_start = start.spread<0>(), x_step = step.spread<0>(), x_shear(ray.shear[0]);
-    const Lanes y_start = start.spread<1>(), y_step = step.spread<1>(), y_shear(ray.shear[1]);
-    const Lanes z_start = start.spread<2>(), z_step = step.spread<2>();
+    const Lanes x_start = start.spread<0>(), y_start = start.spread<1>(), z_start = start.spread<2>();
+    const Lanes x_shear(ray.shear[0]), y_shear(ray.shear[1]);
+    const float step_size = __builtin_bit_cast(float, std::uint32_t{leaf.exponent} << 23);
+    const Lanes step(step_size);
+    const auto* const x_rows = leaf.rows + 3 * n * static_cast<unsigned>(ray.axis[0]);
+    const auto* const y_rows = leaf.rows + 3 * n * static_cast<unsigned>(ray.axis[1]);
+    const auto* const z_rows = leaf.rows + 3 * n * static_cast<unsigned>(ray.axis[2]);
     const auto along = [&](unsigned corner) {
-        return Lanes::words(rows[2] + corner * n).times_plus(z_step, z_start);
+        return Lanes::words(z_rows + corner * n).times_plus(step, z_start);
     };
     const auto x_across = [&](unsigned corner, const Lanes& z) {
-        return z.times_plus(x_shear, Lanes::words(rows[0] + corner * n).times_plus(x_step, x_start));
+        return z.times_plus(x_shear, Lanes::words(x_rows + corner * n).times_plus(step, x_start));
     };
     const auto y_across = [&](unsigned corner, const Lanes& z) {
-        return z.times_plus(y_shear, Lanes::words(rows[1] + corner * n).times_plus(y_step, y_start));
+        return z.times_plus(y_shear, Lanes::words(y_rows + corner * n).times_plus(step, y_start));
     };
     const Lanes az = along(0), bz = along(1), cz = along(2);
     const Lanes ax = x_across(0, az), bx = x_across(1, bz), cx = x_across(2, cz);
@@ -42,9 +41,8 @@ inline unsigned triangles_near(const BvhRay& ray, const BvhLeaf& leaf, float lim
 
     const Lanes m = max(max(max(ax.magnitude(), bx.magnitude()), max(cx.magnitude(), ay.magnitude())),
                         max(by.magnitude(), cy.magnitude()));
-    const float across = step[0] > step[1] ? step[0] : step[1];
-    const float error = ray.error + 0.5f * (across + step[2]);
-    constexpr float four_u = 3e-7f;  // and a little for the roundings here
+    const float error = ray.error + step_size;  // half a step for each of two coordinates
+    constexpr float four_u = 3e-7f;             // and a little for the roundings here
     const Lanes slack =
         m.times_plus(m.times_plus(Lanes(four_u), Lanes(4.1f * error)), Lanes(2.1f * error * error));
     const unsigned one_side =
@@ -54,16 +52,24 @@ inline unsigned triangles_near(const BvhRay& ray, const BvhLeaf& leaf, float lim
     const Lanes at = az * inverse, bt = bz * inverse, ct = cz * inverse;
     const unsigned in_reach = not_above(min(min(at, bt), ct), Lanes(limit + 2 * error)) &
                               not_above(Lanes(-2 * error), max(max(at, bt), ct));
-    return one_side & in_reach & ((1u << n) - 1);
+    return one_side & in_reach;
 }
 
-/// Asks for the memory of a node, or of a leaf's beginning.
+/// Asks for the memory of a node or a leaf, and for what whoever asked knows of its triangles.
 inline void prefetch(const BvhRay& ray, std::uint32_t place) {
-    const std::uint8_t* const memory =
-        place & BvhNode::leaf_bit ? ray.leaves + std::size_t{place & ~BvhNode::leaf_bit} * BvhLeaf::alignment
-                                  : reinterpret_cast<const std::uint8_t*>(ray.nodes + place);
-    __builtin_prefetch(memory);
-    __builtin_prefetch(memory + 64);
+    constexpr std::size_t line = 64;
+    if (!(place & BvhLeaf::flag)) {
+        const auto* const node = reinterpret_cast<const std::uint8_t*>(ray.nodes + place);
+        __builtin_prefetch(node);
+        __builtin_prefetch(node + line);
+        return;
+    }
+    const std::size_t slot = BvhLeaf::slot(place), count = BvhLeaf::count(place);
+    if (slot >= ray.triangle_count) return;
+    const std::uint8_t* const leaf = ray.leaves + sizeof(Bvh::Item) * slot;
+    for (std::size_t at = 0; at < BvhLeaf::size(count); at += line) __builtin_prefetch(leaf + at);
+    const std::uint8_t* const records = ray.records + ray.record_size * slot;
+    for (std::size_t at = 0; at < ray.record_size * count; at += line) __builtin_prefetch(records + at);
 }
 
 template <Bvh::Order order>
@@ -77,13 +83,16 @@ void walk(BvhRay& ray) {
     float limit = ray.limit;
 
     for (;;) {
-        if (place & BvhNode::leaf_bit) {
-            const auto& leaf = *reinterpret_cast<const BvhLeaf*>(
-                ray.leaves + std::size_t{place & ~BvhNode::leaf_bit} * BvhLeaf::alignment);
-            unsigned hits = (1u << leaf.others) - 1;
-            if (leaf.triangles) hits |= triangles_near(ray, leaf, limit) << leaf.others;
+        if (place & BvhLeaf::flag) {
+            const std::uint32_t slot = BvhLeaf::slot(place);
+            const unsigned count = BvhLeaf::count(place);
+            unsigned hits = (1u << count) - 1;
+            if (slot < ray.triangle_count)
+                hits &= triangles_near(
+                    ray, *reinterpret_cast<const BvhLeaf*>(ray.leaves + sizeof(Bvh::Item) * slot), count,
+                    limit);
             if (hits) {
-                if (ray.visit(ray, leaf.items(), hits)) return;
+                if (ray.visit(ray, slot, hits)) return;
                 limit = ray.limit;
             }
         } else {

@@ -14,18 +14,21 @@ struct BvhRay {
     typedef float Four __attribute__((vector_size(16)));
 
     const BvhNode* nodes;
-    const std::uint8_t* leaves;
-    Four origin;                ///< the fourth is 0
-    Four inverse;               ///< of the direction; the fourth is 0
-    std::int32_t near_side[3];  ///< by axis, which side of a box the ray meets first
-    std::int32_t axis[4];       ///< across, across, along the ray; the last again
-    float shear[2];             ///< what takes a coordinate along the ray off those across
+    const std::uint8_t* leaves;   ///< 32 bytes a slot
+    const std::uint8_t* records;  ///< of triangles by slot, record_size bytes each
+    std::uint32_t record_size;
+    std::uint32_t triangle_count;  ///< slots behind these hold other shapes
+    Four origin;                   ///< the fourth is 0
+    Four inverse;                  ///< of the direction; the fourth is 0
+    std::int32_t near_side[3];     ///< by axis, which side of a box the ray meets first
+    std::int32_t axis[4];          ///< across, across, along the ray; the last again
+    float shear[2];                ///< what takes a coordinate along the ray off those across
     float inverse_along;
     float error;  ///< of a projected coordinate (bvh_kernel.h)
     float limit;  ///< distance beyond which nothing is asked for
-    /// Called with the items of a leaf and a bit for each that may be met; may lower `limit`. True ends the
+    /// Called with a leaf's first slot and a bit for each that may be met; may lower `limit`. True ends the
     /// walk.
-    bool (*visit)(BvhRay& ray, const std::uint32_t* items, unsigned hits);
+    bool (*visit)(BvhRay& ray, std::uint32_t slot, unsigned hits);
 };
 
 template <Bvh::Order order, class Visit, class Limit>
@@ -40,23 +43,31 @@ void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&&
         Visit& visit_item;
         Limit& current_limit;
         double moved;
+        const std::uint32_t* others;
 
         void update() {
             constexpr float outward = 1.0f + 6e-7f;
             BvhRay::limit = static_cast<float>(current_limit() - moved) * outward;
         }
-        static bool visit_items(BvhRay& ray, const std::uint32_t* items, unsigned hits) {
+        static bool visit_leaf(BvhRay& ray, std::uint32_t slot, unsigned hits) {
             auto& query = static_cast<Query&>(ray);
-            for (; hits; hits &= hits - 1)
-                if (query.visit_item(items[std::countr_zero(hits)])) return true;
+            for (; hits; hits &= hits - 1) {
+                const std::uint32_t at = slot + static_cast<std::uint32_t>(std::countr_zero(hits));
+                const std::uint32_t item =
+                    at < ray.triangle_count ? at : query.others[at - ray.triangle_count];
+                if (query.visit_item(item)) return true;
+            }
             query.update();
             return false;
         }
     };
-    Query query{{}, visit, limit, enter};
+    Query query{{}, visit, limit, enter, others_.data()};
     query.nodes = nodes_.data();
-    query.leaves = leaves_.front().bytes;
-    query.visit = Query::visit_items;
+    query.leaves = reinterpret_cast<const std::uint8_t*>(leaves_.data());
+    query.records = records_;
+    query.record_size = record_size_;
+    query.triangle_count = triangle_count_;
+    query.visit = Query::visit_leaf;
     query.error = 1.2e-6f * reach_;
     // Within the box's neighbourhood a slope of 1e-12 is as good as none.
     const auto component = [](double d) {

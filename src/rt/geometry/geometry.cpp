@@ -23,17 +23,38 @@ Bounds disk_box(const Vec3& center, const Vec3& axis, double radius) {
     return box;
 }
 
+/// Puts things into this order, given by old places.
+template <class Things>
+void permute(Things& things, std::vector<std::uint32_t> old_place) {
+    for (std::size_t start = 0; start < old_place.size(); ++start) {  // each cycle of the permutation in turn
+        if (old_place[start] == start) continue;
+        const auto first = things[start];
+        std::size_t place = start;
+        while (old_place[place] != start) {
+            const std::size_t from = old_place[place];
+            things[place] = things[from];
+            old_place[place] = static_cast<std::uint32_t>(place);
+            place = from;
+        }
+        things[place] = first;
+        old_place[place] = static_cast<std::uint32_t>(place);
+    }
+}
+
 }  // namespace
 
 void Geometry::reserve(std::size_t surfaces, std::size_t triangles) {
     triangles_.reserve(triangles);
     shape_of_.reserve(surfaces);
-    items_.reserve(surfaces);
+    triangle_items_.reserve(triangles + 1);
 }
 
 void Geometry::note(Kind kind, std::size_t index, int surface, const Bounds& box) {
     const ShapeRef shape = shape_ref(kind, index);
-    items_.emplace_back(box, shape);
+    if (kind == triangle)
+        triangle_items_.emplace_back(box, static_cast<std::uint32_t>(index));
+    else
+        other_items_.emplace_back(box, shape);
     if (role_ == Role::content) return;
     if (shape_of_.size() <= static_cast<std::size_t>(surface))
         shape_of_.resize(static_cast<std::size_t>(surface) + 1, no_shape);
@@ -123,46 +144,19 @@ bool Geometry::add_cone(PrimitiveType type, std::span<const double> numbers, int
 }
 
 void Geometry::build() {
-    bvh_.build(std::move(items_), [this](ShapeRef shape, std::array<Vec3, 3>& corners) {
-        if (kind(shape) == triangle)
-            corners = triangles_[index(shape)].corners();
-        else if (kind(shape) == facet)
-            corners = facets_.corners(facets_.all()[index(shape)]);
-        else
-            return false;
-        return true;
-    });
-    sort_by_leaves(triangles_, triangle);
+    const bool is_mesh = !facets_.all().empty();
+    const std::vector<std::uint32_t> order =
+        bvh_.build(std::move(triangle_items_), other_items_, [&](std::uint32_t i) {
+            return is_mesh ? facets_.corners(facets_.all()[i]) : triangles_[i].corners();
+        });
+    other_items_ = {};
+    first_triangle_ = shape_ref(is_mesh ? facet : triangle, 0);
+    if (is_mesh) return permute(facets_.all(), order);
+    permute(triangles_, order);
+    bvh_.set_records(triangles_.data(), sizeof(Triangle));
     if (role_ == Role::scene)
         for (std::size_t i = 0; i < triangles_.size(); ++i)
             shape_of_[static_cast<std::size_t>(triangles_[i].surface)] = shape_ref(triangle, i);
-    sort_by_leaves(facets_.all(), facet);
-}
-
-// Brings shapes of one kind into the order of the hierarchy's leaves, so that those of a leaf share cache
-// lines.
-template <class Shapes>
-void Geometry::sort_by_leaves(Shapes& shapes, Kind sorted) {
-    std::vector<std::uint32_t> old_place;  // by new place
-    old_place.reserve(shapes.size());
-    bvh_.for_each_item([&](ShapeRef& item) {
-        if (kind(item) != sorted) return;
-        old_place.push_back(static_cast<std::uint32_t>(index(item)));
-        item = shape_ref(sorted, old_place.size() - 1);
-    });
-    for (std::size_t start = 0; start < old_place.size(); ++start) {  // each cycle of the permutation in turn
-        if (old_place[start] == start) continue;
-        const auto first = shapes[start];
-        std::size_t place = start;
-        while (old_place[place] != start) {
-            const std::size_t from = old_place[place];
-            shapes[place] = shapes[from];
-            old_place[place] = static_cast<std::uint32_t>(place);
-            place = from;
-        }
-        shapes[place] = first;
-        old_place[place] = static_cast<std::uint32_t>(place);
-    }
 }
 
 inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direction,
@@ -191,7 +185,8 @@ void Geometry::intersect(const Vec3& origin, const Vec3& direction, const Placed
     const ShapeRef own = leaving.placement ? no_shape : leaving.shape;
     bvh_.walk<Bvh::Order::nearest_first>(
         origin, direction,
-        [&](std::uint32_t shape) {
+        [&](std::uint32_t item) {
+            const ShapeRef shape = shape_of_item(item);
             if (shape != own) test(shape, origin, direction, leaving, state);
             return false;
         },
@@ -210,7 +205,8 @@ Geometry::View Geometry::view_before(const Vec3& origin, const Vec3& direction, 
     const ShapeRef own = leaving.placement ? no_shape : leaving.shape;
     bvh_.walk<Bvh::Order::any>(
         origin, direction,
-        [&](std::uint32_t shape) {
+        [&](std::uint32_t item) {
+            const ShapeRef shape = shape_of_item(item);
             if (shape == own) return false;
             if (kind(shape) == instance) {
                 found = std::max(found, view_instance(shape, origin, direction, limit, leaving));

@@ -130,8 +130,11 @@ class Geometry {
     View view_before(const Vec3& origin, const Vec3& direction, double limit,
                      const PlacedShape& leaving) const;
     void note(Kind kind, std::size_t index, int surface, const Bounds& box);
-    template <class Shapes>
-    void sort_by_leaves(Shapes& shapes, Kind kind);
+    /// The hierarchy's triangles count from 0; its other items are shapes of other kinds, whose numbers are
+    /// higher.
+    ShapeRef shape_of_item(std::uint32_t item) const {
+        return item < (1u << 29) ? first_triangle_ + item : item;
+    }
 
     // instances.cpp
     static PlacedShape leaving_inside(const Instance& it, const PlacedShape& leaving);
@@ -150,7 +153,9 @@ class Geometry {
     LargeVector<Triangle> triangles_;
     std::vector<Polygon> polygons_;
     std::vector<std::unique_ptr<double[]>> corners_;
-    std::vector<Bvh::Item> items_;  // for building only
+    LargeVector<Bvh::Item> triangle_items_;  // for building only, as the next
+    std::vector<Bvh::Item> other_items_;
+    ShapeRef first_triangle_ = 0;  // what the hierarchy calls 0: a triangle or a facet
     std::vector<Sphere> spheres_;
     std::vector<Cone> cones_;
     std::vector<Ring> rings_;

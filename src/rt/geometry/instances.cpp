@@ -16,11 +16,11 @@ constexpr std::uint64_t most_placements = std::uint64_t{1} << 62;
 void Geometry::set_facets(Facets facets, int surface_without_material) {
     facets_ = std::move(facets);
     bare_surface_ = surface_without_material;
-    items_.reserve(facets_.all().size());
+    triangle_items_.reserve(facets_.all().size() + 1);
     for (std::size_t i = 0; i < facets_.all().size(); ++i) {
         Bounds box;
         for (const Vec3& corner : facets_.corners(facets_.all()[i])) box.extend(corner);
-        items_.emplace_back(box, shape_ref(facet, i));
+        triangle_items_.emplace_back(box, static_cast<std::uint32_t>(i));
     }
 }
 
@@ -36,7 +36,7 @@ void Geometry::add_instance(const Geometry& content, const Placement& placement,
                                             corner & 4 ? inner.hi.z : inner.lo.z}));
     instances_.push_back({placement, &content, surface, covers, placements_ + 1});
     placements_ += 1 + content.placements_;
-    items_.emplace_back(box, shape_ref(instance, instances_.size() - 1));
+    other_items_.emplace_back(box, shape_ref(instance, instances_.size() - 1));
 }
 
 // The shape that a ray leaves as the content of an instance knows it, if it lies in there.
