@@ -39,13 +39,15 @@ class SurfaceTable {
     }
 
     /// True if surface a beats surface b, both met in the same place: material over none, opaque over
-    /// transparent, front over back, later modifier over earlier (measured behaviour of RADIANCE 6.1).
+    /// transparent, front over back, later modifier over earlier, and of one modifier the earlier surface
+    /// (measured behaviour of RADIANCE 6.1, which keeps what it finds first in the last case).
     bool outranks(int a, bool a_front, int b, bool b_front) const {
         const Finish &fa = finish(a), &fb = finish(b);
         if ((fa.material != nullptr) != (fb.material != nullptr)) return fa.material != nullptr;
         if (fa.transparent() != fb.transparent()) return fb.transparent();
         if (a_front != b_front) return a_front;
-        return fa.primitive > fb.primitive;
+        if (fa.primitive != fb.primitive) return fa.primitive > fb.primitive;
+        return a < b;
     }
 };
 

@@ -61,6 +61,8 @@ struct Binning {
     }
 };
 
+constexpr int least_exponent = -100;  // of steps
+
 /// Steps of a power of two from an origin; so many of them reach from lo to hi, on one axis.
 struct Steps {
     float origin;
@@ -68,9 +70,8 @@ struct Steps {
 
     Steps(double lo, double hi, int count) : origin(static_cast<float>(lo)) {
         if (origin > lo) origin = std::nextafter(origin, -inf);
-        constexpr int least = -100;
         const double step = (hi - origin) / count;
-        exponent = step > 0 ? std::max(std::ilogb(step), least) : least;
+        exponent = step > 0 ? std::max(std::ilogb(step), least_exponent) : least_exponent;
         if (std::ldexp(static_cast<double>(count), exponent) < hi - origin) ++exponent;
     }
     double in_steps(double x) const { return std::ldexp(x - origin, -exponent); }
@@ -90,7 +91,7 @@ struct Bvh::Builder {
     Bvh& bvh;
     LargeVector<Item>& items;
     std::size_t triangle_count;
-    const Corners& corners_of;
+    const Triangles& triangle;
     double pad;
     std::vector<std::uint32_t> order;  // of the triangles
 
@@ -218,14 +219,19 @@ struct Bvh::Builder {
             const std::size_t count = range.size();
             std::array<Vec3, 3> corners[BvhLeaf::largest];
             Bounds box;
+            double uncertainty = 0;
             for (std::size_t i = 0; i < count; ++i) {
                 const std::uint32_t id = items[range.begin + i].id();
                 order[range.begin + i] = id;
-                corners[i] = corners_of(id);
+                const TriangleExtent extent = triangle(id);
+                corners[i] = extent.corners;
+                uncertainty = std::max(uncertainty, extent.uncertainty);
                 for (const Vec3& corner : corners[i]) box.extend(corner);
             }
             BvhLeaf leaf;
-            int exponent = -127;
+            // The kernel takes a step for what a coordinate may be wrong by.
+            int exponent =
+                uncertainty > 0 ? std::max(std::ilogb(uncertainty) + 1, least_exponent) : least_exponent;
             for (int axis = 0; axis < 3; ++axis) {
                 const Steps steps(box.lo[axis], box.hi[axis], 65535);
                 leaf.origin[axis] = steps.origin;
@@ -258,17 +264,17 @@ Bvh::Item::Item(const Bounds& box, std::uint32_t id) {
     hi[3] = 0;
 }
 
-std::vector<std::uint32_t> Bvh::build(LargeVector<Item> triangles, const std::vector<Item>& others,
-                                      const Corners& corners) {
-    const std::size_t item_count = triangles.size() + others.size();
+std::vector<std::uint32_t> Bvh::build(LargeVector<Item> triangle_items, const std::vector<Item>& other_items,
+                                      const Triangles& triangle) {
+    const std::size_t item_count = triangle_items.size() + other_items.size();
     if (item_count > BvhLeaf::most_slots) throw Error("too many shapes in one octree");
     if (item_count == 0) return {};
-    leaves_ = std::move(triangles);
+    leaves_ = std::move(triangle_items);
     triangle_count_ = static_cast<std::uint32_t>(leaves_.size());
-    leaves_.insert(leaves_.end(), others.begin(), others.end());
-    Builder builder{*this, leaves_, triangle_count_, corners, 0, {}};
+    leaves_.insert(leaves_.end(), other_items.begin(), other_items.end());
+    Builder builder{*this, leaves_, triangle_count_, triangle, 0, {}};
     builder.order.resize(triangle_count_);
-    others_.resize(others.size());
+    others_.resize(other_items.size());
     FloatBox whole;
     for (const Item& item : leaves_) whole.extend(box_of(item));
     double reach = 0;
@@ -293,7 +299,7 @@ std::vector<std::uint32_t> Bvh::build(LargeVector<Item> triangles, const std::ve
     nodes_.reserve(item_count / 8 + 1);  // more than is needed mostly; what is not touched takes no memory
     builder.make_node({0, item_count, whole, 0});
     leaves_.resize(triangle_count_ + 1);  // the kernel loads 16 bytes where fewer are left
-    if (!others.empty()) leaves_.shrink_to_fit();
+    if (!other_items.empty()) leaves_.shrink_to_fit();
     return std::move(builder.order);
 }
 

@@ -78,14 +78,10 @@ struct BvhLeaf {
 
 struct BvhRay;
 
-/// The walk as it is compiled for a processor: near boxes first, or in any order.
-struct BvhKernel {
-    void (*nearest_first)(BvhRay& ray);
-    void (*any)(BvhRay& ray);
-
-    static BvhKernel portable();
-    static BvhKernel best();  ///< for the processor at hand
-};
+/// The walk as it is compiled for a processor: bvh_kernel.h.
+using BvhKernel = void (*)(BvhRay& ray);
+BvhKernel portable_bvh_kernel();
+BvhKernel best_bvh_kernel();  ///< for the processor at hand
 
 class Bvh {
   public:
@@ -99,15 +95,19 @@ class Bvh {
         float hi[4];
     };
 
-    /// Corners of a triangle, which cannot be met but between them (to rounding), by its item's number.
-    using Corners = std::function<std::array<Vec3, 3>(std::uint32_t id)>;
+    struct TriangleExtent {
+        std::array<Vec3, 3> corners;
+        double uncertainty;  ///< the triangle cannot be met farther than this from what is between them
+    };
+    /// By an item's number.
+    using Triangles = std::function<TriangleExtent(std::uint32_t id)>;
 
     /// Returns the numbers of the triangles' items in the order of the leaves: the triangle in slot i, which
     /// walk() will call i, was item order[i]. Other items keep their numbers, which must not be below that of
     /// triangles.
     ///   throws  Error if there are more than 2^28 shapes
-    std::vector<std::uint32_t> build(LargeVector<Item> triangles, const std::vector<Item>& others,
-                                     const Corners& corners);
+    std::vector<std::uint32_t> build(LargeVector<Item> triangle_items, const std::vector<Item>& other_items,
+                                     const Triangles& triangle);
     /// Where what is known of each slot's triangle stands in memory, `size` bytes each, to be asked for in
     /// advance.
     void set_records(const void* first, std::size_t size) {
@@ -118,11 +118,12 @@ class Bvh {
     /// Around all items; empty if there are none.
     const Bounds& bounds() const { return box_; }
 
-    enum class Order { nearest_first, any };
+    /// For tests; both kernels hand over all that a ray may meet.
+    void use(BvhKernel kernel) { kernel_ = kernel; }
 
-    /// Calls visit(item) for every item that the ray may meet nearer than limit(); with Order::nearest_first
-    /// near boxes first. visit returns true to end the walk. limit() is asked again after every visit.
-    template <Order order, class Visit, class Limit>
+    /// Calls visit(item) for every item that the ray may meet nearer than limit(), near boxes first. visit
+    /// returns true to end the walk. limit() is asked again after every leaf.
+    template <class Visit, class Limit>
     void walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&& limit) const;
 
   private:
@@ -140,7 +141,7 @@ class Bvh {
     std::uint32_t triangle_count_ = 0;
     const std::uint8_t* records_ = nullptr;
     std::uint32_t record_size_ = 0;
-    BvhKernel kernel_ = BvhKernel::best();
+    BvhKernel kernel_ = best_bvh_kernel();
     float reach_ = 0;  ///< no coordinate of a shape, or of a ray that has entered, is larger
     Bounds box_;
     Vec3 near_lo_{0}, near_hi_{0};  ///< the box and as much again on all sides

@@ -47,15 +47,13 @@ bool has_avx2() {
 
 }  // namespace
 
-BvhKernel BvhKernel::portable() {
-    return {portable::walk<Bvh::Order::nearest_first>, portable::walk<Bvh::Order::any>};
-}
+BvhKernel portable_bvh_kernel() { return portable::walk; }
 
-BvhKernel BvhKernel::best() {
+BvhKernel best_bvh_kernel() {
 #ifdef INFRADIANCE_HAS_AVX2
-    if (has_avx2()) return {avx2::walk<Bvh::Order::nearest_first>, avx2::walk<Bvh::Order::any>};
+    if (has_avx2()) return avx2::walk;
 #endif
-    return portable();
+    return portable_bvh_kernel();
 }
 
 }  // namespace infra

@@ -72,8 +72,7 @@ inline void prefetch(const BvhRay& ray, std::uint32_t place) {
     for (std::size_t at = 0; at < ray.record_size * count; at += line) __builtin_prefetch(records + at);
 }
 
-template <Bvh::Order order>
-void walk(BvhRay& ray) {
+inline void walk(BvhRay& ray) {
     // Children to visit; the upper half says where the ray enters them, so that they compare by that.
     std::uint64_t stack[BvhRay::stack_size];
     int depth = 0;
@@ -124,37 +123,30 @@ void walk(BvhRay& ray) {
                 prefetch(ray, node.child[lane]);
                 for (unsigned others = hits; others; others &= others - 1)
                     prefetch(ray, node.child[__builtin_ctz(others)]);
-                if constexpr (order == Bvh::Order::any) {
-                    do stack[depth++] = node.child[take()];
-                    while (hits);
-                    place = node.child[lane];
-                } else {
-                    alignas(32) float distance[BvhNode::width];
-                    enter.store(distance);
-                    const auto entry = [&](int i) {
-                        return std::uint64_t{__builtin_bit_cast(std::uint32_t, distance[i])} << 32 |
-                               node.child[i];
-                    };
-                    std::uint64_t nearest = entry(lane);
-                    const int first = depth;
-                    do {
-                        const std::uint64_t other = entry(take());
-                        const std::uint64_t farther = other < nearest ? nearest : other;
-                        nearest = other < nearest ? other : nearest;
-                        int i = depth++;
-                        for (; i > first && stack[i - 1] < farther; --i) stack[i] = stack[i - 1];
-                        stack[i] = farther;
-                    } while (hits);
-                    place = static_cast<std::uint32_t>(nearest);
-                }
+                alignas(32) float distance[BvhNode::width];
+                enter.store(distance);
+                const auto entry = [&](int i) {
+                    return std::uint64_t{__builtin_bit_cast(std::uint32_t, distance[i])} << 32 |
+                           node.child[i];
+                };
+                std::uint64_t nearest = entry(lane);
+                const int first = depth;
+                do {  // the nearest goes on, the others are kept in order
+                    const std::uint64_t other = entry(take());
+                    const std::uint64_t farther = other < nearest ? nearest : other;
+                    nearest = other < nearest ? other : nearest;
+                    int i = depth++;
+                    for (; i > first && stack[i - 1] < farther; --i) stack[i] = stack[i - 1];
+                    stack[i] = farther;
+                } while (hits);
+                place = static_cast<std::uint32_t>(nearest);
                 continue;
             }
         }
         do {
             if (depth == 0) return;
             --depth;
-        } while (order == Bvh::Order::nearest_first &&
-                 __builtin_bit_cast(float, static_cast<std::uint32_t>(stack[depth] >> 32)) > limit);
+        } while (__builtin_bit_cast(float, static_cast<std::uint32_t>(stack[depth] >> 32)) > limit);
         place = static_cast<std::uint32_t>(stack[depth]);
     }
 }

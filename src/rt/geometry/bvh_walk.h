@@ -31,7 +31,7 @@ struct BvhRay {
     bool (*visit)(BvhRay& ray, std::uint32_t slot, unsigned hits);
 };
 
-template <Bvh::Order order, class Visit, class Limit>
+template <class Visit, class Limit>
 void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&& limit) const {
     if (nodes_.empty()) return;
 
@@ -91,7 +91,7 @@ void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&&
     query.shear[0] = -slope[x] * query.inverse_along;
     query.shear[1] = -slope[y] * query.inverse_along;
     query.update();
-    (order == Order::nearest_first ? kernel_.nearest_first : kernel_.any)(query);
+    kernel_(query);
 }
 
 }  // namespace infra

@@ -105,6 +105,8 @@ bool Geometry::add_polygon(std::span<const double> vertices, int surface) {
     for (std::size_t i = 0; i < count; ++i) box.extend(vec(vertices, 3 * i));
     if (count == 3) {
         triangles_.emplace_back(vec(vertices, 0), vec(vertices, 3), vec(vertices, 6), surface);
+        const Vec3 beyond(triangles_.back().uncertainty());
+        box = {box.lo - beyond, box.hi + beyond};
         note(triangle, triangles_.size() - 1, surface, box);
         return true;
     }
@@ -147,7 +149,8 @@ void Geometry::build() {
     const bool is_mesh = !facets_.all().empty();
     const std::vector<std::uint32_t> order =
         bvh_.build(std::move(triangle_items_), other_items_, [&](std::uint32_t i) {
-            return is_mesh ? facets_.corners(facets_.all()[i]) : triangles_[i].corners();
+            return is_mesh ? Bvh::TriangleExtent{facets_.corners(facets_.all()[i]), 0}
+                           : Bvh::TriangleExtent{triangles_[i].corners(), triangles_[i].uncertainty()};
         });
     other_items_ = {};
     first_triangle_ = shape_ref(is_mesh ? facet : triangle, 0);
@@ -183,7 +186,7 @@ inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direc
 void Geometry::intersect(const Vec3& origin, const Vec3& direction, const PlacedShape& leaving,
                          HitState& state) const {
     const ShapeRef own = leaving.placement ? no_shape : leaving.shape;
-    bvh_.walk<Bvh::Order::nearest_first>(
+    bvh_.walk(
         origin, direction,
         [&](std::uint32_t item) {
             const ShapeRef shape = shape_of_item(item);
@@ -203,7 +206,7 @@ Geometry::View Geometry::view_before(const Vec3& origin, const Vec3& direction, 
                                      const PlacedShape& leaving) const {
     View found = View::clear;
     const ShapeRef own = leaving.placement ? no_shape : leaving.shape;
-    bvh_.walk<Bvh::Order::any>(
+    bvh_.walk(
         origin, direction,
         [&](std::uint32_t item) {
             const ShapeRef shape = shape_of_item(item);

@@ -71,6 +71,9 @@ class Geometry {
         return view_before(origin, direction, distance - same_place, leaving);
     }
 
+    /// The walk of rays, for tests; the best for the processor unless told.
+    void use(BvhKernel kernel) { bvh_.use(kernel); }
+
     /// Box around all shapes; empty if there are none.
     const Bounds& bounds() const { return bvh_.bounds(); }
 

@@ -22,7 +22,7 @@ inline bool take_hit(HitState& state, const SurfaceTable& table, double t, bool 
                      std::uint32_t shape) {
     if (t > state.distance + same_place) return false;
     if (t >= state.distance - same_place && state.surface >= 0) {
-        if (surface == state.surface ? t >= state.distance
+        if (surface == state.surface ? t > state.distance || (t == state.distance && shape >= state.shape)
                                      : !table.outranks(surface, front, state.surface, state.front))
             return false;
     } else if (t >= state.distance) {

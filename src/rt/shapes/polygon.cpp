@@ -1,5 +1,7 @@
 #include "rt/shapes/polygon.h"
 
+#include <algorithm>
+
 namespace infra {
 
 std::span<const double> distinct_vertices(std::span<const double> vertices) {
@@ -61,6 +63,20 @@ std::array<Vec3, 3> Triangle::corners() const {
         p[axis] = plane_d - plane_u * p[u] - plane_v * p[v];
     }
     return corners;
+}
+
+double Triangle::uncertainty() const {
+    double reach = 0, size = 0;
+    const std::array<Vec3, 3> corner = corners();
+    for (int i = 0; i < 3; ++i) {
+        const auto [lo, hi] = std::minmax({corner[0][i], corner[1][i], corner[2][i]});
+        reach = std::max({reach, -lo, hi});
+        size = std::max(size, hi - lo);
+    }
+    // A barycentric coordinate is a sum of three terms of at most reach size / area, the plane's slope wrong
+    // by size^2 / area of the last place.
+    const double area = 1 / std::fabs(b_u * c_v - b_v * c_u);
+    return std::min(32 * 0x1p-53 * reach * size * size / area, size);
 }
 
 Vec3 Triangle::normal() const {

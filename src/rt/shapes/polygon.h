@@ -57,6 +57,9 @@ struct Triangle {
     Vec3 normal() const;
     /// To rounding.
     std::array<Vec3, 3> corners() const;
+    /// How far beyond its corners rounding may let the triangle be met: much for a sliver far from the
+    /// origin, no more than the triangle's size.
+    double uncertainty() const;
 };
 
 struct Polygon {
