@@ -15,11 +15,15 @@ namespace infra {
 
 class RandomStream {
   public:
-    RandomStream(std::uint64_t seed, std::uint64_t index) {
+    RandomStream(std::uint64_t seed, std::uint64_t index) { begin(seed, index); }
+
+    /// Goes to the start of another stream.
+    void begin(std::uint64_t seed, std::uint64_t index) {
         std::uint64_t x = seed * 0x9e3779b97f4a7c15u ^ mix(index + 0x632be59bd9b4e019u);
         a_ = mix(x += 0x9e3779b97f4a7c15u);
         b_ = mix(x + 0x9e3779b97f4a7c15u);
         if ((a_ | b_) == 0) a_ = 1;
+        chosen_ = 0;
     }
 
     /// Uniform in [0, 1), multiples of 2^-53.

@@ -56,7 +56,7 @@ class Tracer {
 
     /// Begins the random stream of a primary ray.
     void start_stream(std::uint64_t index) {
-        random_ = RandomStream(seed_, index);
+        random_.begin(seed_, index);
         spreads_ = false;
     }
     /// The same for ray `number` of several whose mean is wanted. What is drawn for them up to the first

@@ -23,7 +23,8 @@ ANGLES = (0, 45, 75, 87)     # degrees of incidence
 RAYS = 600                   # for each angle
 CHANNELS = 8
 OPTIONS = (*PATHS, "-ad", 1, "-lw", 3e-4)      # one ray from each diffuse hit
-CACHED = ("-ab", 100, "-ad", 64, "-lw", 0)     # walls that reflect .9
+# Walls reflect up to .9; and what is interpolated is the same everywhere, so that few values do.
+CACHED = ("-ab", 100, "-ad", 64, "-lr", 100, "-lw", 0, "-aa", 1)
 
 ENCLOSURE = """# V3. An enclosure of 300 K: a sphere of this material, in a black one in case it lets light through.
 

@@ -144,7 +144,7 @@ bool PixelTracer::trace(int column, int row) {
     const int samples = camera_.samples, replica_count = std::min(samples, most_replicas);
     const std::size_t bands = frame_.bands();
     std::fill(sum_.begin(), sum_.end(), 0.0);
-    std::fill(replicas_.begin(), replicas_.end(), 0.0);
+    if (!frame_.error.empty()) std::fill(replicas_.begin(), replicas_.end(), 0.0);
     std::array<int, most_replicas> sizes{};
     for (int s = 0; s < samples; ++s) {
         throw_if_interrupted();
@@ -157,7 +157,7 @@ bool PixelTracer::trace(int column, int row) {
         const double depth = trace_sample(column, row);
         if (s == 0 && !frame_.depth.empty()) frame_.depth[index] = static_cast<float>(depth);
         for (std::size_t c = 0; c < sample_.size(); ++c) sum_[c] += static_cast<double>(sample_[c]);
-        for (std::size_t b = 0; b < bands; ++b)
+        for (std::size_t b = 0; b < bands && !frame_.error.empty(); ++b)
             replicas_[replica * bands + b] += static_cast<double>(frame_.total(sample_, static_cast<int>(b)));
         ++sizes[replica];
     }
