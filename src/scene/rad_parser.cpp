@@ -9,9 +9,6 @@ namespace {
 constexpr int most_strings = 32767;
 constexpr int most_reals = 1 << 24;
 
-bool is_space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-bool is_quote(int c) { return c == '"' || c == '\''; }
-
 std::string quoted(std::string_view text) {
     constexpr std::size_t shown = 60;
     std::string result = "\"";
@@ -31,7 +28,7 @@ void RadParser::fail(std::string_view message, std::string_view hint) const {
 }
 
 RadParser::Item RadParser::next() {
-    while (is_space(source_.peek())) source_.get();
+    source_.skip_blanks();
     if (source_.peek() == TextSource::end) return Item::end;
     line_ = source_.line();
     if (source_.peek() == '#') {
@@ -62,30 +59,37 @@ void RadParser::read_command() {
     }
 }
 
-/// Blank-separated; quotes keep blanks and may open in the middle of a word, as in a shell.
-bool RadParser::read_word(std::string& word) {
-    while (is_space(source_.peek())) source_.get();
+bool RadParser::read_word(std::string_view& word) {
+    source_.skip_blanks();
     word_line_ = source_.line();
-    word.clear();
+    word = source_.plain_word(longest_word);
+    return !word.empty() || read_quoted_word(word);
+}
+
+/// Blank-separated; quotes keep blanks and may open in the middle of a word, as in a shell.
+bool RadParser::read_quoted_word(std::string_view& word) {
+    quoted_word_.clear();
     int quote = 0;
     bool any = false;
     for (int c = source_.peek(); c != TextSource::end; c = source_.peek()) {
-        if (quote == 0 && is_space(c)) break;
+        if (quote == 0 && TextSource::is_blank(c)) break;
         source_.get();
         any = true;
         if (c == 0) fail("a zero byte: this is not a text file");
         if (c == quote) {
             quote = 0;
-        } else if (quote == 0 && is_quote(c)) {
+        } else if (quote == 0 && TextSource::is_quote(c)) {
             quote = c;
         } else {
-            word += static_cast<char>(c);
-            if (word.size() > longest_word)
-                fail("a word of more than " + std::to_string(longest_word) + " characters, " + quoted(word),
+            quoted_word_ += static_cast<char>(c);
+            if (quoted_word_.size() > longest_word)
+                fail("a word of more than " + std::to_string(longest_word) + " characters, " +
+                         quoted(quoted_word_),
                      quote ? "is its quote closed?" : "");
         }
     }
     if (quote != 0) fail(std::string("the quote opened by ") + static_cast<char>(quote) + " is never closed");
+    word = quoted_word_;
     return any;
 }
 
@@ -99,20 +103,23 @@ std::string RadParser::previous() const {
     return std::string(infra::name(previous_type_)) + " \"" + previous_name_ + "\"";
 }
 
-void RadParser::refuse_tab(const std::string& word, const char* what) const {
-    if (word.find('\t') != std::string::npos) fail(std::string("a tab in the ") + what + " " + quoted(word));
+void RadParser::refuse_tab(std::string_view word, const char* what) const {
+    if (word.find('\t') != std::string_view::npos)
+        fail(std::string("a tab in the ") + what + " " + quoted(word));
 }
 
 void RadParser::read_primitive() {
     ParsedPrimitive& p = primitive_;
     previous_type_ = p.type;
-    previous_name_ = p.name;
+    previous_name_.swap(p.name);
     p.strings.clear();
     p.reals.clear();
-    if (!read_word(p.modifier)) missing_word("modifier");
-    refuse_tab(p.modifier, "modifier");
+    if (!read_word(word_)) missing_word("modifier");
+    refuse_tab(word_, "modifier");
+    p.modifier = word_;
     if (!read_word(word_)) missing_word("type of a primitive whose modifier is " + quoted(p.modifier));
-    const auto type = find_primitive_type(word_);
+    const bool as_before = word_ == infra::name(p.type);
+    const auto type = as_before ? p.type : find_primitive_type(word_);
     if (!type) {
         const std::string near = nearest_primitive_type(word_);
         std::string hint;
@@ -124,13 +131,14 @@ void RadParser::read_primitive() {
         fail("unknown type " + quoted(word_), hint);
     }
     p.type = *type;
-    if (!read_word(p.name)) missing_word("identifier of a " + std::string(infra::name(p.type)));
-    refuse_tab(p.name, "identifier");
+    if (!read_word(word_)) missing_word("identifier of a " + std::string(infra::name(p.type)));
+    refuse_tab(word_, "identifier");
+    p.name = word_;
     if (info(p.type).is_modifier() && (p.name == "void" || p.name == "inherit"))
         fail(quoted(p.name) + " cannot be the identifier of a modifier");
     if (p.type == PrimitiveType::alias) {
         if (!read_word(word_)) missing_word("target of " + p.description());
-        p.strings.push_back(word_);
+        p.strings.emplace_back(word_);
     } else {
         read_arguments();
     }
@@ -144,7 +152,7 @@ int RadParser::read_count(const char* sort) {
         fail(quoted(word_) + " where the number of " + sort + " arguments of " + primitive_.description() +
              " should stand");
     if (count < 0)
-        fail("a negative number of " + std::string(sort) + " arguments, " + word_ + ", for " +
+        fail("a negative number of " + std::string(sort) + " arguments, " + std::string(word_) + ", for " +
              primitive_.description());
     return count;
 }
@@ -152,7 +160,7 @@ int RadParser::read_count(const char* sort) {
 void RadParser::read_arguments() {
     const auto check_limit = [&](int count, int limit, const char* sort) {
         if (count > limit)
-            fail(word_ + " " + sort + " arguments for " + primitive_.description() +
+            fail(std::string(word_) + " " + sort + " arguments for " + primitive_.description() +
                  ", more than the limit of " + std::to_string(limit));
     };
     const auto argument = [&](int i, int count, const char* sort) {
@@ -165,10 +173,10 @@ void RadParser::read_arguments() {
     check_limit(string_count, most_strings, "string");
     for (int i = 0; i < string_count; ++i) {
         argument(i, string_count, "string");
-        primitive_.strings.push_back(word_);
+        primitive_.strings.emplace_back(word_);
     }
     if (read_count("integer") != 0)
-        fail(word_ + " integer arguments for " + primitive_.description(),
+        fail(std::string(word_) + " integer arguments for " + primitive_.description(),
              "no type has any: the count before the real arguments is 0");
     const int real_count = read_count("real");
     check_limit(real_count, most_reals, "real");

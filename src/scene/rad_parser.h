@@ -42,6 +42,7 @@ class RadParser {
     const ParsedPrimitive& primitive() const { return primitive_; }
     /// Place of the current item.
     Location location() const { return {source_.name(), line_, 0}; }
+    int line() const { return line_; }
     /// Description of the primitive before the current one, "" at the first: miscounted arguments show up as
     /// nonsense in the primitive that follows them.
     std::string previous() const;
@@ -51,17 +52,20 @@ class RadParser {
     void read_command();
     void read_primitive();
     void read_arguments();
-    bool read_word(std::string& word);
+    /// The next word, valid until the one after it is read. returns false at the end of the file.
+    bool read_word(std::string_view& word);
+    bool read_quoted_word(std::string_view& word);
     /// Reports the end of the file where a word should stand.
     [[noreturn]] void missing_word(std::string_view what);
     int read_count(const char* sort);
-    void refuse_tab(const std::string& word, const char* what) const;
+    void refuse_tab(std::string_view word, const char* what) const;
     [[noreturn]] void fail(std::string_view message, std::string_view hint = {}) const;
 
     TextSource source_;
     ParsedPrimitive primitive_;
     std::string text_;
-    std::string word_;
+    std::string_view word_;
+    std::string quoted_word_;
     int line_ = 0;       // of the current item
     int word_line_ = 0;  // of the current word
     PrimitiveType previous_type_ = PrimitiveType::polygon;

@@ -114,7 +114,7 @@ void Reader::add(const RadParser& parser, std::int32_t file) {
         throw Error(parser.location(), "\"inherit\" as the modifier of " + p.description(),
                     "only an alias can inherit its target's modifier");
     }
-    scene_.add(p.type, modifier, p.name, strings, p.reals, {file, parser.location().line});
+    scene_.add(p.type, modifier, p.name, strings, p.reals, {file, parser.line()});
 }
 
 }  // namespace

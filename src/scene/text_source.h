@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace infra {
@@ -27,12 +28,41 @@ class TextSource {
         line_ += c == '\n';
         return c;
     }
+    /// Takes blanks: white space as in ASCII.
+    void skip_blanks() {
+        for (;; ++next_) {
+            if (next_ == end_ && !refill()) return;
+            if (!is_blank(static_cast<unsigned char>(*next_))) return;
+            line_ += *next_ == '\n';
+        }
+    }
+    /// Takes the word that stands here if it ends within `longest` characters and they are plain: no quotes,
+    /// no zero bytes. Otherwise takes nothing. It stays valid until the source is asked for more.
+    ///   returns  "" where there is no such word
+    std::string_view plain_word(std::size_t longest) {
+        const char* last = plain_end(next_);
+        if (last == end_) {
+            more();
+            last = plain_end(next_);
+        }
+        const auto size = static_cast<std::size_t>(last - next_);
+        if (size > longest || (last < end_ && !is_blank(static_cast<unsigned char>(*last)))) return {};
+        return {std::exchange(next_, last), size};
+    }
+
+    static constexpr bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+    static constexpr bool is_quote(int c) { return c == '"' || c == '\''; }
+
     /// Line of the next character, from 1.
     int line() const { return line_; }
     const std::string& name() const { return name_; }
 
   private:
     bool refill();
+    /// Reads on behind what is left.
+    bool more();
+    /// The end of the plain characters from here on, at most end_.
+    const char* plain_end(const char* from) const;
 
     std::FILE* file_ = nullptr;
     std::vector<char> buffer_;
