@@ -1,5 +1,6 @@
 #include "scene/cell_overlap.h"
 
+#include <array>
 #include <cmath>
 
 #include "scene/surface_geometry.h"
@@ -106,6 +107,10 @@ OctantBits CellOverlap::octants(PrimitiveId id, const Cube& cell, const OctantOv
     const auto reals = scene_.reals(id);
     switch (scene_.type(id)) {
         case PrimitiveType::polygon:
+            if (reals.size() == 9)
+                return {polygons(std::array{Vec3(reals[0], reals[1], reals[2]),
+                                            Vec3(reals[3], reals[4], reals[5]),
+                                            Vec3(reals[6], reals[7], reals[8])})};
             polygon_corners(reals, corners_);
             return {polygons(corners_)};
         case PrimitiveType::sphere:

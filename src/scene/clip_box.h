@@ -18,10 +18,8 @@ struct ClipBox {
     unsigned outcode(const Vec3& p) const {
         unsigned code = 0;
         for (int i = 0; i < 3; ++i) {
-            if (p[i] < low[i] - tiny_length)
-                code |= 1u << 2 * i;
-            else if (p[i] > high[i] + tiny_length)
-                code |= 2u << 2 * i;
+            code |= unsigned(p[i] < low[i] - tiny_length) << 2 * i;
+            code |= unsigned(p[i] > high[i] + tiny_length) << (2 * i + 1);
         }
         return code;
     }
@@ -38,15 +36,24 @@ struct ClipBox {
                 std::swap(a, b);
                 std::swap(code_a, code_b);
             }
-            int i = 0;
-            while ((code_a >> 2 * i & 3) == 0) ++i;
-            const double plane = code_a >> 2 * i & 1 ? low[i] : high[i];
-            const double part = (plane - a[i]) / (b[i] - a[i]);
-            const Vec3 way = b - a;
-            for (int j = 0; j < 3; ++j) a[j] = j == i ? plane : a[j] + way[j] * part;
+            if (code_a & 3)
+                cut<0>(a, b, code_a);
+            else if (code_a & 3 << 2)
+                cut<1>(a, b, code_a);
+            else
+                cut<2>(a, b, code_a);
             code_a = outcode(a);
         }
         return true;
+    }
+
+    /// Moves a towards b onto the face of this axis that it lies beyond.
+    template <int axis>
+    void cut(Vec3& a, const Vec3& b, unsigned code_a) const {
+        const double plane = code_a >> 2 * axis & 1 ? low[axis] : high[axis];
+        const double part = (plane - a[axis]) / (b[axis] - a[axis]);
+        a += (b - a) * part;
+        a[axis] = plane;
     }
 };
 

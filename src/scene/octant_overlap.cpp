@@ -1,16 +1,34 @@
 #include "scene/octant_overlap.h"
 
+#include <emmintrin.h>
+
+#include <bit>
 #include <cmath>
 #include <optional>
+#include <utility>
 
-#include "scene/clip_box.h"
 #include "scene/surface_geometry.h"
 
 namespace infra {
 namespace {
 
-constexpr unsigned octants_of[3][2] = {
-    {0x55, 0xaa}, {0x33, 0xcc}, {0x0f, 0xf0}};  // by axis, lower and upper half
+constexpr unsigned all_octants = 0xff;
+
+/// The octants of the lower half along an axis if bit 0 is set, and of the upper if bit 1 is.
+constexpr std::uint64_t octants_of_halves[3][4] = {
+    {0, 0x55, 0xaa, 0xff}, {0, 0x33, 0xcc, 0xff}, {0, 0x0f, 0xf0, 0xff}};
+
+/// The octants that any of the sides names.
+unsigned any_side(std::uint64_t sides) {
+    sides |= sides >> 24;
+    return unsigned(sides | sides >> 8 | sides >> 16) & all_octants;
+}
+
+/// Calls visit(branch) for each octant.
+template <class Visit>
+void for_each(unsigned octants, Visit visit) {
+    for (; octants != 0; octants &= octants - 1) visit(std::countr_zero(octants));
+}
 
 bool near(double a, double b) { return std::abs(a - b) <= tiny_length; }
 
@@ -72,87 +90,70 @@ class OctantOverlap::Polygon {
 OctantOverlap::OctantOverlap(const Cube& cell) {
     const double half = 0.5 * cell.size;
     for (int axis = 0; axis < 3; ++axis) {
+        Slabs& slabs = slabs_[axis];
         for (int upper = 0; upper < 2; ++upper) {
-            Slab& slab = slabs_[axis][upper];
-            slab.low = cell.origin[axis] + (upper ? half : 0.0) - tiny_length;
-            slab.high = slab.low + half + 2 * tiny_length;
-            slab.outside_low = slab.low - tiny_length;
-            slab.outside_high = slab.high + tiny_length;
+            slabs.low[upper] = cell.origin[axis] + (upper ? half : 0.0) - tiny_length;
+            slabs.high[upper] = slabs.low[upper] + half + 2 * tiny_length;
+            slabs.outside_low[upper] = slabs.low[upper] - tiny_length;
+            slabs.outside_high[upper] = slabs.high[upper] + tiny_length;
         }
     }
 }
 
-/// The sides of all corners of all slabs are found once and serve every octant.
-unsigned OctantOverlap::few_corners(std::span<const Vec3> corners) const {
-    const unsigned all_corners = ~0u >> (32 - corners.size());
-    Sides sides[3][2];
-    unsigned apart = 0;  // octants that have all corners on one side
+ClipBox OctantOverlap::octant(int branch) const {
+    ClipBox box;
     for (int axis = 0; axis < 3; ++axis) {
-        for (int upper = 0; upper < 2; ++upper) {
-            const Slab& slab = slabs_[axis][upper];
-            unsigned below = 0, above = 0;
-            for (std::size_t i = 0; i < corners.size(); ++i) {
-                below |= unsigned(corners[i][axis] < slab.outside_low) << i;
-                above |= unsigned(corners[i][axis] > slab.outside_high) << i;
-            }
-            sides[axis][upper] = {below, above};
-            if (below == all_corners || above == all_corners) apart |= octants_of[axis][upper];
-        }
+        box.low[axis] = slabs_[axis].low[branch >> axis & 1];
+        box.high[axis] = slabs_[axis].high[branch >> axis & 1];
     }
-    Polygon polygon(corners);
-    unsigned touched = 0;
-    for (unsigned branch = 0; branch < 8; ++branch) {
-        if (apart >> branch & 1) continue;
-        const unsigned half[3] = {branch & 1, branch >> 1 & 1, branch >> 2 & 1};
-        ClipBox octant;
-        const Sides* side[3];
-        unsigned outside = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            octant.low[axis] = slabs_[axis][half[axis]].low;
-            octant.high[axis] = slabs_[axis][half[axis]].high;
-            side[axis] = &sides[axis][half[axis]];
-            outside |= side[axis]->below | side[axis]->above;
-        }
-        bool touches = outside != all_corners;
-        for (std::size_t i = 0; i < corners.size() && !touches; ++i) {
-            const std::size_t next = i + 1 < corners.size() ? i + 1 : 0;
-            const unsigned edge = 1u << i | 1u << next;
-            bool beyond = false;
-            for (const Sides* s : side) beyond |= (s->below & edge) == edge || (s->above & edge) == edge;
-            touches = !beyond && octant.holds_part_of(corners[i], corners[next]);
-        }
-        if (touches || polygon.meets_inside(octant)) touched |= 1u << branch;
-    }
-    return touched;
+    return box;
 }
 
-unsigned OctantOverlap::many_corners(std::span<const Vec3> corners) const {
-    Polygon polygon(corners);
-    unsigned touched = 0;
-    for (unsigned branch = 0; branch < 8; ++branch) {
-        const unsigned half[3] = {branch & 1, branch >> 1 & 1, branch >> 2 & 1};
-        ClipBox octant;
-        for (int axis = 0; axis < 3; ++axis) {
-            octant.low[axis] = slabs_[axis][half[axis]].low;
-            octant.high[axis] = slabs_[axis][half[axis]].high;
-        }
-        unsigned shared = ~0u;  // sides that all corners have in common
-        bool touches = false;
-        for (std::size_t i = 0; i < corners.size() && !touches; ++i) {
-            const unsigned code = octant.outcode(corners[i]);
-            shared &= code;
-            touches = code == 0;
-        }
-        if (!touches && shared != 0) continue;
-        for (std::size_t i = 0; i < corners.size() && !touches; ++i)
-            touches = octant.holds_part_of(corners[i], corners[i + 1 < corners.size() ? i + 1 : 0]);
-        if (touches || polygon.meets_inside(octant)) touched |= 1u << branch;
+OctantOverlap::Sides OctantOverlap::sides_of(const Vec3& p) const {
+    Sides sides = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Slabs& slabs = slabs_[axis];
+        const __m128d x = _mm_set1_pd(p[axis]);
+        const int below = _mm_movemask_pd(_mm_cmplt_pd(x, _mm_load_pd(slabs.outside_low)));
+        const int above = _mm_movemask_pd(_mm_cmpgt_pd(x, _mm_load_pd(slabs.outside_high)));
+        sides |= octants_of_halves[axis][below] << 8 * axis | octants_of_halves[axis][above]
+                                                                  << 8 * (axis + 3);
     }
+    return sides;
+}
+
+/// All octants at once, a bit each: those that hold a corner, those that an edge enters, those that the
+/// inside meets, if the ones before don't tell.
+template <std::size_t count>
+unsigned OctantOverlap::touched(std::span<const Vec3, count> corners) const {
+    Sides shared = ~Sides(0);
+    unsigned touched = 0;
+    for (const Vec3& corner : corners) {
+        const Sides sides = sides_of(corner);
+        shared &= sides;
+        touched |= ~any_side(sides);
+    }
+    const unsigned open = all_octants & ~any_side(shared);
+    touched &= open;
+    if (touched == open) return touched;
+
+    const Vec3* last = &corners.back();
+    Sides last_sides = sides_of(*last);
+    for (const Vec3& corner : corners) {
+        const Vec3& before = *std::exchange(last, &corner);
+        const Sides sides = sides_of(corner), sides_before = std::exchange(last_sides, sides);
+        for_each(open & ~touched & ~any_side(sides & sides_before), [&](int branch) {
+            touched |= unsigned(octant(branch).holds_part_of(before, corner)) << branch;
+        });
+    }
+    Polygon polygon(corners);
+    for_each(open & ~touched,
+             [&](int branch) { touched |= unsigned(polygon.meets_inside(octant(branch))) << branch; });
     return touched;
 }
 
 unsigned OctantOverlap::operator()(std::span<const Vec3> corners) const {
-    return corners.size() <= 32 ? few_corners(corners) : many_corners(corners);
+    return corners.size() == 3 ? touched(corners.first<3>()) : touched(corners);
 }
 
 }  // namespace infra

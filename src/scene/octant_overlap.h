@@ -2,8 +2,11 @@
 // its octrees and meshes byte by byte.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
+#include "scene/clip_box.h"
 #include "scene/octree.h"
 
 namespace infra {
@@ -18,21 +21,23 @@ class OctantOverlap {
     unsigned operator()(std::span<const Vec3> corners) const;
 
   private:
-    /// An octant's extent along one axis: the planes, and how far beyond them a point still counts as inside.
-    struct Slab {
-        double low, high;
-        double outside_low, outside_high;
+    /// Extents of the lower and the upper half along one axis: the planes, and how far beyond them a point
+    /// still counts as inside.
+    struct alignas(16) Slabs {
+        double low[2], high[2];
+        double outside_low[2], outside_high[2];
     };
-    /// Corners below and above a slab, by bits.
-    struct Sides {
-        unsigned below, above;
-    };
+    /// For each of the six sides of octants a byte: bits of the octants that a point lies beyond on that
+    /// side.
+    using Sides = std::uint64_t;
     class Polygon;
 
-    unsigned few_corners(std::span<const Vec3> corners) const;
-    unsigned many_corners(std::span<const Vec3> corners) const;
+    Sides sides_of(const Vec3& p) const;
+    ClipBox octant(int branch) const;
+    template <std::size_t count>
+    unsigned touched(std::span<const Vec3, count> corners) const;
 
-    Slab slabs_[3][2];  // by axis, lower and upper half
+    Slabs slabs_[3];  // by axis
 };
 
 }  // namespace infra

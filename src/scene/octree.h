@@ -35,12 +35,6 @@ class Octree {
     /// Largest set of a leaf that RADIANCE's programs read.
     static constexpr std::size_t largest_set = 511;
 
-    /// Whether leaves with equal sets are one node: saves memory where surfaces are larger than cells, costs
-    /// time.
-    enum class Sets { shared, separate };
-
-    explicit Octree(Sets sets = Sets::shared) : sets_(sets) {}
-
     OctreeNode root = empty_node;
 
     static bool is_inner(OctreeNode node) { return node >= 0; }
@@ -51,22 +45,18 @@ class Octree {
     }
     /// Inner cell with these 8 children; if all are empty or leaves of equal sets, the first of them instead.
     OctreeNode add_inner(std::span<const OctreeNode, 8> children);
-    /// Leaf for an ascending set of primitives. The empty one is empty_node.
+    /// Leaf for an ascending set of primitives, often one that was made lately if their sets are equal:
+    /// surfaces larger than cells lie in many neighbours. The empty one is empty_node.
     OctreeNode add_leaf(std::span<const PrimitiveId> set);
     /// Valid until the next add_leaf().
     std::span<const PrimitiveId> set(OctreeNode leaf) const;
 
   private:
     bool same_leaf(OctreeNode a, OctreeNode b) const;
-    OctreeNode append_leaf(std::span<const PrimitiveId> set);
-    void grow_table();
-    std::size_t slot_of(std::span<const PrimitiveId> set) const;
-
-    Sets sets_;
     std::vector<OctreeNode> children_;         // 8 by 8
     std::vector<PrimitiveId> members_;         // of all sets, one after another
     std::vector<std::uint32_t> set_begin_{0};  // set i is members_[set_begin_[i] .. set_begin_[i + 1])
-    std::vector<std::int32_t> table_;          // open-addressed hash of contents -> set, -1 where free
+    std::vector<OctreeNode> lately_;           // leaves by a hash of their sets
 };
 
 }  // namespace infra

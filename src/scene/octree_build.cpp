@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 #include "scene/cell_overlap.h"
@@ -38,8 +39,14 @@ class Builder {
     /// Node for `cell`, which holds `old`, with `added` (ascending, after all old ones) put in where they
     /// touch it.
     OctreeNode insert(OctreeNode old, const Cube& cell, std::span<const PrimitiveId> added) {
-        for (const PrimitiveId id : added) push_if_touching(id, overlap_(id, cell));
-        return build(old, cell, 0, 0);
+        members_.reserve(2 * added.size());
+        for (const PrimitiveId id : added) {
+            const Overlap overlap = overlap_(id, cell);
+            if (overlap == Overlap::none) continue;
+            members_.push_back({id, overlap == Overlap::contained});
+            volumes_ = volumes_ || is_volume(id);
+        }
+        return build(old, cell, {0, members_.size()}, 0);
     }
 
   private:
@@ -49,21 +56,22 @@ class Builder {
         PrimitiveId id;
         bool contained;  ///< the cell lies inside this volume
     };
+    /// A cell's members: members_[begin..end - 1].
+    struct Range {
+        std::size_t begin, end;
+        std::size_t count() const { return end - begin; }
+    };
 
     bool is_volume(PrimitiveId id) const { return scene_.type_info(id).kind == PrimitiveKind::volume; }
-    void push_if_touching(PrimitiveId id, Overlap overlap) {
-        if (overlap == Overlap::none) return;
-        members_.push_back({id, overlap == Overlap::contained});
-        volumes_ = volumes_ || is_volume(id);
-    }
 
-    OctreeNode build(OctreeNode old, const Cube& cell, std::size_t begin, int fruitless);
-    OctreeNode divide(OctreeNode old, const Cube& cell, std::size_t begin, int fruitless);
-    std::size_t put_before(OctreeNode leaf, const Cube& cell, std::size_t begin);
+    OctreeNode build(OctreeNode old, const Cube& cell, Range added, int fruitless);
+    OctreeNode divide(OctreeNode old, const Cube& cell, Range added, int fruitless);
+    std::array<Range, 8> sort_into_octants(const Cube& cell, Range members);
+    Range put_before(OctreeNode leaf, const Cube& cell, Range added);
     bool may_divide(const Cube& cell, int fruitless) const;
-    std::size_t dividing_member(std::size_t begin, std::size_t known, bool divisible);
+    std::size_t dividing_member(Range& members, std::size_t known, bool divisible);
     void order_for_octants(std::size_t begin, std::size_t dividing);
-    OctreeNode make_leaf(std::size_t begin);
+    OctreeNode make_leaf(Range members);
 
     Octree& tree_;
     const Scene& scene_;
@@ -71,7 +79,7 @@ class Builder {
     double smallest_;
     CellOverlap overlap_;
     const WarningSink& warn_;
-    std::vector<Member> members_;  // of the cells on the way from the root, the current one's last
+    std::vector<Member> members_;  // of the cells on the way from the root and their octants, the last's last
     std::vector<OctantBits> octants_;
     std::vector<PrimitiveId> set_;
     bool volumes_ = false;
@@ -84,21 +92,23 @@ bool Builder::may_divide(const Cube& cell, int fruitless) const {
     return fruitless < most_fruitless_divisions || fruitless_tests_ < most_fruitless_tests;
 }
 
-/// Puts what a leaf holds before members_[begin..]; returns their number.
-std::size_t Builder::put_before(OctreeNode leaf, const Cube& cell, std::size_t begin) {
-    std::vector<Member> known;
-    for (const PrimitiveId id : tree_.set(leaf))
-        known.push_back({id, is_volume(id) && overlap_(id, cell) == Overlap::contained});
-    members_.insert(members_.begin() + std::ptrdiff_t(begin), known.begin(), known.end());
-    return known.size();
+/// What a leaf holds, then those that are new, as the last of members_.
+Builder::Range Builder::put_before(OctreeNode leaf, const Cube& cell, Range added) {
+    const std::size_t begin = members_.size();
+    for (const PrimitiveId id : tree_.set(leaf)) {
+        members_.push_back({id, is_volume(id) && overlap_(id, cell) == Overlap::contained});
+        volumes_ = volumes_ || is_volume(id);
+    }
+    for (std::size_t i = added.begin; i < added.end; ++i) members_.push_back(Member(members_[i]));
+    return {begin, members_.size()};
 }
 
-/// The first of members_[begin..] that finds the cell full, where the first `known` are there already;
-/// members_.size() if none does. Members for which there is no room are dropped.
-std::size_t Builder::dividing_member(std::size_t begin, std::size_t known, bool divisible) {
-    std::size_t i = begin + known;
-    while (i < members_.size()) {
-        const std::size_t held = i - begin;
+/// The first member that finds the cell full, where the first `known` are there already; members.end if none
+/// does. Members for which there is no room are dropped.
+std::size_t Builder::dividing_member(Range& members, std::size_t known, bool divisible) {
+    std::size_t i = members.begin + known;
+    while (i < members.end) {
+        const std::size_t held = i - members.begin;
         const bool full = held > 0 && held >= most_ && divisible && !members_[i].contained;
         if (full) return i;
         if (held < Octree::largest_set) {
@@ -109,7 +119,9 @@ std::size_t Builder::dividing_member(std::size_t begin, std::size_t known, bool 
             "left out of a cell that holds " + std::to_string(Octree::largest_set) + " surfaces already";
         if (!std::exchange(warned_, true))
             warn_(scene_.error(members_[i].id, what, "others may be too").what());
-        members_.erase(members_.begin() + std::ptrdiff_t(i));
+        std::copy(members_.begin() + std::ptrdiff_t(i) + 1, members_.begin() + std::ptrdiff_t(members.end),
+                  members_.begin() + std::ptrdiff_t(i));
+        --members.end;
     }
     return i;
 }
@@ -127,44 +139,74 @@ void Builder::order_for_octants(std::size_t begin, std::size_t dividing) {
               [&](const Member& a, const Member& b) { return key(a) < key(b); });
 }
 
-/// The new members of the cell are members_[begin..]; `fruitless` divisions have not made them fewer.
-OctreeNode Builder::build(OctreeNode old, const Cube& cell, std::size_t begin, int fruitless) {
-    if (members_.size() == begin) return old;
-    if (Octree::is_inner(old)) return divide(old, cell, begin, fruitless);
-    const std::size_t known = Octree::is_leaf(old) ? put_before(old, cell, begin) : 0;
-    const std::size_t dividing = dividing_member(begin, known, may_divide(cell, fruitless));
-    if (dividing == members_.size()) return make_leaf(begin);
-    order_for_octants(begin, dividing);
-    return divide(empty_node, cell, begin, fruitless);
+/// `added` are new to the cell; `fruitless` divisions have not made them fewer.
+OctreeNode Builder::build(OctreeNode old, const Cube& cell, Range added, int fruitless) {
+    if (added.count() == 0) return old;
+    if (Octree::is_inner(old)) return divide(old, cell, added, fruitless);
+    const std::size_t before = members_.size();
+    std::size_t known = 0;
+    if (Octree::is_leaf(old)) {
+        known = tree_.set(old).size();
+        added = put_before(old, cell, added);
+    }
+    const std::size_t dividing = dividing_member(added, known, may_divide(cell, fruitless));
+    OctreeNode node;
+    if (dividing == added.end) {
+        node = make_leaf(added);
+    } else {
+        order_for_octants(added.begin, dividing);
+        node = divide(empty_node, cell, added, fruitless);
+    }
+    members_.resize(before);
+    return node;
 }
 
-OctreeNode Builder::divide(OctreeNode old, const Cube& cell, std::size_t begin, int fruitless) {
-    const std::size_t end = members_.size(), count = end - begin, first_octants = octants_.size();
-    if (fruitless >= most_fruitless_divisions) fruitless_tests_ += count;
+/// Puts the members of a cell's octants, which are told in this order, behind all others.
+std::array<Builder::Range, 8> Builder::sort_into_octants(const Cube& cell, Range members) {
+    octants_.clear();
     const OctantOverlap polygons(cell);
     std::array<std::size_t, 8> counts{};
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = members.begin; i < members.end; ++i) {
         const OctantBits bits = overlap_.octants(members_[i].id, cell, polygons);
         octants_.push_back(bits);
         for (int branch = 0; branch < 8; ++branch) counts[branch] += bits.touched >> branch & 1;
     }
-    const int if_undivided = std::ranges::count(counts, count) > 1 ? fruitless + 1 : 0;
+    std::array<Range, 8> octants;
+    std::size_t end = members_.size();
+    for (int branch = 0; branch < 8; ++branch) {
+        octants[branch] = {end, end};
+        end += counts[branch];
+    }
+    members_.resize(end);
+    for (std::size_t i = 0; i < members.count(); ++i) {
+        const PrimitiveId id = members_[members.begin + i].id;
+        for (unsigned left = octants_[i].touched; left != 0; left &= left - 1) {
+            const int branch = std::countr_zero(left);
+            members_[octants[branch].end++] = {id, octants_[i][branch] == Overlap::contained};
+        }
+    }
+    return octants;
+}
+
+OctreeNode Builder::divide(OctreeNode old, const Cube& cell, Range added, int fruitless) {
+    if (fruitless >= most_fruitless_divisions) fruitless_tests_ += added.count();
+    const std::size_t before = members_.size();
+    const std::array<Range, 8> octants = sort_into_octants(cell, added);
+    const auto undivided = [&](const Range& octant) { return octant.count() == added.count(); };
+    const int if_undivided = std::ranges::count_if(octants, undivided) > 1 ? fruitless + 1 : 0;
     std::array<OctreeNode, 8> children;
     for (int branch = 0; branch < 8; ++branch) {
-        for (std::size_t i = 0; i < count && counts[branch] > 0; ++i)
-            push_if_touching(members_[begin + i].id, octants_[first_octants + i][branch]);
-        const OctreeNode before = Octree::is_inner(old) ? tree_.child(old, branch) : empty_node;
+        const OctreeNode known = Octree::is_inner(old) ? tree_.child(old, branch) : empty_node;
         children[branch] =
-            build(before, cell.octant(branch), end, counts[branch] == count ? if_undivided : 0);
-        members_.resize(end);
+            build(known, cell.octant(branch), octants[branch], undivided(octants[branch]) ? if_undivided : 0);
     }
-    octants_.resize(first_octants);
+    members_.resize(before);
     return tree_.add_inner(children);
 }
 
-OctreeNode Builder::make_leaf(std::size_t begin) {
+OctreeNode Builder::make_leaf(Range members) {
     set_.clear();
-    for (std::size_t i = begin; i < members_.size(); ++i) set_.push_back(members_[i].id);
+    for (std::size_t i = members.begin; i < members.end; ++i) set_.push_back(members_[i].id);
     if (volumes_) std::ranges::sort(set_);
     return tree_.add_leaf(set_);
 }

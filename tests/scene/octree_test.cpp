@@ -29,10 +29,19 @@ TEST(Octree, ManySets) {
     Octree tree;
     std::vector<OctreeNode> leaves;
     for (PrimitiveId i = 0; i < 20000; ++i) leaves.push_back(tree.add_leaf(std::array{i, i + 1, i + 7}));
-    for (PrimitiveId i = 0; i < 20000; ++i) {
-        EXPECT_EQ(tree.add_leaf(std::array{i, i + 1, i + 7}), leaves[i]);
-        EXPECT_EQ(tree.set(leaves[i])[2], i + 7);
-    }
+    for (PrimitiveId i = 0; i < 20000; ++i)
+        EXPECT_TRUE(std::ranges::equal(tree.set(leaves[i]), std::array{i, i + 1, i + 7}));
+}
+
+/// A leaf that was forgotten meanwhile has a node of its own, and is the same leaf all the same.
+TEST(Octree, EqualSetsMadeFarApartAreUniform) {
+    Octree tree;
+    std::array<OctreeNode, 8> children;
+    children.fill(tree.add_leaf(std::array{3}));
+    for (PrimitiveId i = 4; i < 100000; ++i) tree.add_leaf(std::array{i});
+    children[7] = tree.add_leaf(std::array{3});
+    EXPECT_NE(children[7], children[0]);
+    EXPECT_EQ(tree.add_inner(children), children[0]);
 }
 
 TEST(Octree, UniformChildrenCollapse) {

@@ -95,7 +95,7 @@ Cube mesh_cube(const Box& box) {
 
 Octree build_mesh_tree(const MeshTriangles& triangles, const Cube& cube, const MeshLimits& limits,
                        const WarningSink& warn) {
-    Octree tree(Octree::Sets::separate);
+    Octree tree;
     Builder builder(tree, triangles, cube, limits);
     tree.root = builder.build(cube, 0, 0);
     if (builder.largest() > Octree::largest_set)

@@ -13,7 +13,7 @@ namespace infra {
 /// A mesh ready to be written: packed, with its octree in the numbers of packed triangles.
 struct PackedMesh {
     Cube cube;
-    Octree tree{Octree::Sets::separate};  ///< sets of numbers of triangles, ascending
+    Octree tree;  ///< sets of numbers of triangles, ascending
     MeshPatches patches;
 };
 
