@@ -1,6 +1,8 @@
 #include "scene/byte_writer.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <ostream>
 
 #include "common/error.h"
@@ -28,8 +30,24 @@ void ByteWriter::real(double value) {
 }
 
 void ByteWriter::string(std::string_view text) {
-    buffer_ += text;
+    this->text(text);
     byte(0);
+}
+
+void ByteWriter::text(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t size = std::min(text.size(), buffer_size);
+        std::memcpy(place(size), text.data(), size);
+        text.remove_prefix(size);
+    }
+}
+
+void ByteWriter::integers(std::span<const std::int32_t> values) {
+    for (const std::int32_t value : values) {
+        const auto bits = static_cast<std::uint32_t>(value);
+        char* const to = place(4);
+        for (int i = 0; i < 4; ++i) to[i] = static_cast<char>(bits >> 8 * (3 - i));
+    }
 }
 
 void ByteWriter::finish() {
@@ -39,8 +57,8 @@ void ByteWriter::finish() {
 }
 
 void ByteWriter::flush() {
-    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    buffer_.clear();
+    out_.write(buffer_.data(), static_cast<std::streamsize>(used_));
+    used_ = 0;
     if (!out_) throw output_error();
 }
 

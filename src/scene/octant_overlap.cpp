@@ -2,6 +2,7 @@
 
 #include <emmintrin.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -14,14 +15,29 @@ namespace {
 
 constexpr unsigned all_octants = 0xff;
 
-/// The octants of the lower half along an axis if bit 0 is set, and of the upper if bit 1 is.
-constexpr std::uint64_t octants_of_halves[3][4] = {
-    {0, 0x55, 0xaa, 0xff}, {0, 0x33, 0xcc, 0xff}, {0, 0x0f, 0xf0, 0xff}};
+/// What an axis adds to the sides of a point: by bits, it lies below the lower half, below the upper, above
+/// the lower, above the upper.
+constexpr auto sides_along = [] {
+    constexpr std::uint64_t octants_of[3][2] = {{0x55, 0xaa}, {0x33, 0xcc}, {0x0f, 0xf0}};
+    std::array<std::array<std::uint64_t, 16>, 3> sides{};
+    for (int axis = 0; axis < 3; ++axis)
+        for (int beyond = 0; beyond < 16; ++beyond)
+            for (int bit = 0; bit < 4; ++bit)
+                if (beyond >> bit & 1)
+                    sides[axis][beyond] |= octants_of[axis][bit & 1] << 8 * (axis + (bit & 2 ? 3 : 0));
+    return sides;
+}();
 
 /// The octants that any of the sides names.
 unsigned any_side(std::uint64_t sides) {
     sides |= sides >> 24;
     return unsigned(sides | sides >> 8 | sides >> 16) & all_octants;
+}
+
+/// The sides of one octant, as ClipBox tells them.
+unsigned outcode(std::uint64_t sides, int branch) {
+    const std::uint64_t apart = sides >> branch & 0x0101010101010101;
+    return unsigned(apart * 0x0102040810204080 >> 56);  // bit i is bit 8 i
 }
 
 /// Calls visit(branch) for each octant.
@@ -114,10 +130,10 @@ OctantOverlap::Sides OctantOverlap::sides_of(const Vec3& p) const {
     for (int axis = 0; axis < 3; ++axis) {
         const Slabs& slabs = slabs_[axis];
         const __m128d x = _mm_set1_pd(p[axis]);
-        const int below = _mm_movemask_pd(_mm_cmplt_pd(x, _mm_load_pd(slabs.outside_low)));
-        const int above = _mm_movemask_pd(_mm_cmpgt_pd(x, _mm_load_pd(slabs.outside_high)));
-        sides |= octants_of_halves[axis][below] << 8 * axis | octants_of_halves[axis][above]
-                                                                  << 8 * (axis + 3);
+        const __m128 below = _mm_castpd_ps(_mm_cmplt_pd(x, _mm_load_pd(slabs.outside_low)));
+        const __m128 above = _mm_castpd_ps(_mm_cmpgt_pd(x, _mm_load_pd(slabs.outside_high)));
+        const int beyond = _mm_movemask_ps(_mm_shuffle_ps(below, above, _MM_SHUFFLE(2, 0, 2, 0)));
+        sides |= sides_along[axis][beyond];
     }
     return sides;
 }
@@ -143,7 +159,9 @@ unsigned OctantOverlap::touched(std::span<const Vec3, count> corners) const {
         const Vec3& before = *std::exchange(last, &corner);
         const Sides sides = sides_of(corner), sides_before = std::exchange(last_sides, sides);
         for_each(open & ~touched & ~any_side(sides & sides_before), [&](int branch) {
-            touched |= unsigned(octant(branch).holds_part_of(before, corner)) << branch;
+            const bool enters = octant(branch).holds_part_of(before, outcode(sides_before, branch), corner,
+                                                             outcode(sides, branch));
+            touched |= unsigned(enters) << branch;
         });
     }
     Polygon polygon(corners);

@@ -10,7 +10,7 @@ constexpr std::size_t remembered_leaves = 4096;
 std::size_t set_of(OctreeNode leaf) { return static_cast<std::size_t>(-2 - leaf); }
 
 /// FNV-1a over the members, then mixed so that the low bits serve as a table index.
-std::size_t hash_of(std::span<const PrimitiveId> set) {
+std::uint64_t hash_of(std::span<const PrimitiveId> set) {
     std::uint64_t hash = 14695981039346656037ULL;
     for (const PrimitiveId id : set) hash = (hash ^ static_cast<std::uint32_t>(id)) * 1099511628211ULL;
     return hash ^ (hash >> 29);
@@ -38,14 +38,15 @@ std::span<const PrimitiveId> Octree::set(OctreeNode leaf) const {
 
 OctreeNode Octree::add_leaf(std::span<const PrimitiveId> wanted) {
     if (wanted.empty()) return empty_node;
-    if (lately_.empty()) lately_.assign(remembered_leaves, empty_node);
-    OctreeNode& known = lately_[hash_of(wanted) % remembered_leaves];
-    if (known == empty_node || !std::ranges::equal(set(known), wanted)) {
+    if (lately_.empty()) lately_.resize(remembered_leaves);
+    const std::uint64_t hash = hash_of(wanted);
+    Remembered& known = lately_[hash % remembered_leaves];
+    if (known.leaf == empty_node || known.hash != hash || !std::ranges::equal(set(known.leaf), wanted)) {
         members_.insert(members_.end(), wanted.begin(), wanted.end());
         set_begin_.push_back(static_cast<std::uint32_t>(members_.size()));
-        known = -2 - static_cast<OctreeNode>(set_begin_.size() - 2);
+        known = {hash, -2 - static_cast<OctreeNode>(set_begin_.size() - 2)};
     }
-    return known;
+    return known.leaf;
 }
 
 }  // namespace infra

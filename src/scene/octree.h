@@ -56,7 +56,11 @@ class Octree {
     std::vector<OctreeNode> children_;         // 8 by 8
     std::vector<PrimitiveId> members_;         // of all sets, one after another
     std::vector<std::uint32_t> set_begin_{0};  // set i is members_[set_begin_[i] .. set_begin_[i + 1])
-    std::vector<OctreeNode> lately_;           // leaves by a hash of their sets
+    struct Remembered {
+        std::uint64_t hash = 0;
+        OctreeNode leaf = empty_node;
+    };
+    std::vector<Remembered> lately_;  // leaves by the hash of their sets
 };
 
 }  // namespace infra

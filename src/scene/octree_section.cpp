@@ -62,7 +62,7 @@ void write_node(ByteWriter& out, const Octree& tree, OctreeNode node) {
         const auto set = tree.set(node);
         out.byte(OctreeTag::leaf);
         out.integer(std::int64_t(set.size()), written_id_size);
-        for (const PrimitiveId id : set) out.integer(id, written_id_size);
+        out.integers(set);
     } else {
         out.byte(OctreeTag::empty);
     }
