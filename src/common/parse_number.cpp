@@ -49,6 +49,10 @@ bool parse_short_real(std::string_view text, double& value) {
 
 template <class Integer>
 bool parse_integer(std::string_view text, Integer& value) {
+    if (text.size() == 1 && is_digit(text[0])) {
+        value = text[0] - '0';
+        return true;
+    }
     text = without_plus(text);
     Integer parsed{};
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), parsed);

@@ -1,6 +1,5 @@
 #include "scene/cell_overlap.h"
 
-#include <array>
 #include <cmath>
 
 #include "scene/surface_geometry.h"
@@ -97,7 +96,7 @@ template <class Test>
 OctantBits each_octant(const Cube& cell, Test touches) {
     OctantBits bits;
     for (int branch = 0; branch < 8; ++branch)
-        bits.touched |= unsigned(touches(cell.octant(branch))) << branch;
+        bits.touched |= std::uint8_t(touches(cell.octant(branch)) << branch);
     return bits;
 }
 
@@ -107,12 +106,8 @@ OctantBits CellOverlap::octants(PrimitiveId id, const Cube& cell, const OctantOv
     const auto reals = scene_.reals(id);
     switch (scene_.type(id)) {
         case PrimitiveType::polygon:
-            if (reals.size() == 9)
-                return {polygons(std::array{Vec3(reals[0], reals[1], reals[2]),
-                                            Vec3(reals[3], reals[4], reals[5]),
-                                            Vec3(reals[6], reals[7], reals[8])})};
             polygon_corners(reals, corners_);
-            return {polygons(corners_)};
+            return {std::uint8_t(polygons(corners_))};
         case PrimitiveType::sphere:
         case PrimitiveType::bubble: {
             const Vec3 center(reals[0], reals[1], reals[2]);
@@ -133,14 +128,21 @@ OctantBits CellOverlap::octants(PrimitiveId id, const Cube& cell, const OctantOv
             OctantBits bits;
             for (int branch = 0; branch < 8; ++branch) {
                 const Overlap overlap = volume_overlap(box, cell.octant(branch));
-                bits.touched |= unsigned(overlap != Overlap::none) << branch;
-                bits.contained |= unsigned(overlap == Overlap::contained) << branch;
+                bits.touched |= std::uint8_t((overlap != Overlap::none) << branch);
+                bits.contained |= std::uint8_t((overlap == Overlap::contained) << branch);
             }
             return bits;
         }
         default:
             return {};
     }
+}
+
+const Vec3* CellOverlap::triangle(PrimitiveId id) const {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    const auto reals = scene_.reals(id);
+    const bool is_triangle = scene_.type(id) == PrimitiveType::polygon && reals.size() == 9;
+    return is_triangle ? reinterpret_cast<const Vec3*>(reals.data()) : nullptr;
 }
 
 /// It is the first octant of a cell of twice its size.

@@ -2,6 +2,7 @@
 // same.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "scene/instance_box.h"
@@ -19,8 +20,8 @@ enum class Overlap {
 
 /// For each octant of a cell a bit.
 struct OctantBits {
-    unsigned touched = 0;    ///< partial or contained
-    unsigned contained = 0;  ///< contained
+    std::uint8_t touched = 0;    ///< partial or contained
+    std::uint8_t contained = 0;  ///< contained
 
     Overlap operator[](int branch) const {
         if (contained >> branch & 1) return Overlap::contained;
@@ -39,6 +40,9 @@ class CellOverlap {
     OctantBits octants(PrimitiveId id, const Cube& cell, const OctantOverlap& polygons);
     /// The cell as a whole.
     Overlap operator()(PrimitiveId id, const Cube& cell);
+
+    /// The corners of a triangle, as the scene holds them; null for other surfaces.
+    const Vec3* triangle(PrimitiveId id) const;
 
   private:
     const Scene& scene_;

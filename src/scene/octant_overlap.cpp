@@ -2,6 +2,7 @@
 
 #include <emmintrin.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -114,6 +115,32 @@ OctantOverlap::OctantOverlap(const Cube& cell) {
             slabs.outside_high[upper] = slabs.high[upper] + tiny_length;
         }
     }
+    for (int i = 0; i < 4; ++i) {
+        const Slabs& slabs = slabs_[i / 2 + i % 2];
+        Halves& halves = halves_[i / 2];
+        halves.low[i % 2] = slabs.outside_low[0];
+        halves.high[i % 2] = slabs.outside_high[1];
+        halves.lower[i % 2] = std::min(slabs.outside_low[1], slabs.outside_high[0]);
+        halves.upper[i % 2] = std::max(slabs.outside_low[1], slabs.outside_high[0]);
+    }
+}
+
+/// The bit of the octant that holds all of a triangle and shares none of it; 0 if there is no such octant.
+unsigned OctantOverlap::octant_around(std::span<const Vec3, 3> corners) const {
+    int upper[2];
+    for (int pair = 0; pair < 2; ++pair) {
+        const Halves& halves = halves_[pair];
+        const __m128d a = _mm_loadu_pd(&corners[0].x + pair), b = _mm_loadu_pd(&corners[1].x + pair),
+                      c = _mm_loadu_pd(&corners[2].x + pair);
+        const __m128d low = _mm_min_pd(_mm_min_pd(a, b), c), high = _mm_max_pd(_mm_max_pd(a, b), c);
+        const __m128d in_lower = _mm_and_pd(_mm_cmplt_pd(high, _mm_load_pd(halves.lower)),
+                                            _mm_cmpge_pd(low, _mm_load_pd(halves.low)));
+        const __m128d in_upper = _mm_and_pd(_mm_cmpgt_pd(low, _mm_load_pd(halves.upper)),
+                                            _mm_cmple_pd(high, _mm_load_pd(halves.high)));
+        if (_mm_movemask_pd(_mm_or_pd(in_lower, in_upper)) != 3) return 0;
+        upper[pair] = _mm_movemask_pd(in_upper);
+    }
+    return 1u << (upper[0] | (upper[1] & 2) << 1);
 }
 
 ClipBox OctantOverlap::octant(int branch) const {
@@ -170,8 +197,12 @@ unsigned OctantOverlap::touched(std::span<const Vec3, count> corners) const {
     return touched;
 }
 
-unsigned OctantOverlap::operator()(std::span<const Vec3> corners) const {
-    return corners.size() == 3 ? touched(corners.first<3>()) : touched(corners);
+std::uint8_t OctantOverlap::operator()(std::span<const Vec3> corners) const {
+    return std::uint8_t(touched(corners));
+}
+std::uint8_t OctantOverlap::operator()(std::span<const Vec3, 3> corners) const {
+    if (const unsigned only = octant_around(corners)) return std::uint8_t(only);
+    return std::uint8_t(touched(corners));
 }
 
 }  // namespace infra

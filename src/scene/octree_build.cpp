@@ -43,7 +43,7 @@ class Builder {
         for (const PrimitiveId id : added) {
             const Overlap overlap = overlap_(id, cell);
             if (overlap == Overlap::none) continue;
-            members_.push_back({id, overlap == Overlap::contained});
+            members_.push_back({id, overlap == Overlap::contained, overlap_.triangle(id)});
             volumes_ = volumes_ || is_volume(id);
         }
         return build(old, cell, {0, members_.size()}, 0);
@@ -54,7 +54,8 @@ class Builder {
     /// that decides whether it is divided, as volumes that contain it do not ask for that.
     struct Member {
         PrimitiveId id;
-        bool contained;  ///< the cell lies inside this volume
+        bool contained;        ///< the cell lies inside this volume
+        const Vec3* triangle;  ///< its corners; null for what is no triangle
     };
     /// A cell's members: members_[begin..end - 1].
     struct Range {
@@ -96,7 +97,8 @@ bool Builder::may_divide(const Cube& cell, int fruitless) const {
 Builder::Range Builder::put_before(OctreeNode leaf, const Cube& cell, Range added) {
     const std::size_t begin = members_.size();
     for (const PrimitiveId id : tree_.set(leaf)) {
-        members_.push_back({id, is_volume(id) && overlap_(id, cell) == Overlap::contained});
+        members_.push_back(
+            {id, is_volume(id) && overlap_(id, cell) == Overlap::contained, overlap_.triangle(id)});
         volumes_ = volumes_ || is_volume(id);
     }
     for (std::size_t i = added.begin; i < added.end; ++i) members_.push_back(Member(members_[i]));
@@ -167,7 +169,10 @@ std::array<Builder::Range, 8> Builder::sort_into_octants(const Cube& cell, Range
     const OctantOverlap polygons(cell);
     std::array<std::size_t, 8> counts{};
     for (std::size_t i = members.begin; i < members.end; ++i) {
-        const OctantBits bits = overlap_.octants(members_[i].id, cell, polygons);
+        const Member& member = members_[i];
+        const OctantBits bits = member.triangle
+                                    ? OctantBits{polygons(std::span<const Vec3, 3>(member.triangle, 3))}
+                                    : overlap_.octants(member.id, cell, polygons);
         octants_.push_back(bits);
         for (int branch = 0; branch < 8; ++branch) counts[branch] += bits.touched >> branch & 1;
     }
@@ -179,10 +184,11 @@ std::array<Builder::Range, 8> Builder::sort_into_octants(const Cube& cell, Range
     }
     members_.resize(end);
     for (std::size_t i = 0; i < members.count(); ++i) {
-        const PrimitiveId id = members_[members.begin + i].id;
+        Member member = members_[members.begin + i];
         for (unsigned left = octants_[i].touched; left != 0; left &= left - 1) {
             const int branch = std::countr_zero(left);
-            members_[octants[branch].end++] = {id, octants_[i][branch] == Overlap::contained};
+            member.contained = octants_[i].contained >> branch & 1;
+            members_[octants[branch].end++] = member;
         }
     }
     return octants;

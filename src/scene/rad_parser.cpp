@@ -181,8 +181,12 @@ void RadParser::read_arguments() {
     const int real_count = read_count("real");
     check_limit(real_count, most_reals, "real");
     for (int i = 0; i < real_count; ++i) {
-        argument(i, real_count, "real");
         double value = 0;
+        if (source_.short_number(value)) {
+            primitive_.reals.push_back(value);
+            continue;
+        }
+        argument(i, real_count, "real");
         if (!parse_real(word_, value))
             fail(quoted(word_) + " is not a number (real argument " + std::to_string(i + 1) + " of " +
                  std::to_string(real_count) + " of " + primitive_.description() + ")");

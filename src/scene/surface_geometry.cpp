@@ -1,6 +1,7 @@
 #include "scene/surface_geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace infra {
@@ -37,6 +38,12 @@ Vec3 area_normal(std::span<const Vec3> corners) {
 }
 
 SurfaceCheck check_polygon(std::span<const double> reals) {
+    if (reals.size() == 9) {
+        const std::array corners{vec(reals, 0), vec(reals, 3), vec(reals, 6)};
+        const Vec3 normal = area_normal(corners);
+        if (dot(normal, normal) == 0) return {false, "zero area"};
+        return {};
+    }
     std::vector<Vec3> corners;
     polygon_corners(reals, corners);
     const Vec3 normal = unit(area_normal(corners));

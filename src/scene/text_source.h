@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/short_number.h"
+
 namespace infra {
 
 class TextSource {
@@ -48,6 +50,15 @@ class TextSource {
         const auto size = static_cast<std::size_t>(last - next_);
         if (size > longest || (last < end_ && !is_blank(static_cast<unsigned char>(*last)))) return {};
         return {std::exchange(next_, last), size};
+    }
+
+    /// Takes the number that stands here, after blanks, if it is short, as most are: up to 7 digits and a
+    /// point. Otherwise takes at most the blanks.
+    bool short_number(double& value) {
+        skip_blanks();
+        const std::size_t size = parse_short_number({next_, static_cast<std::size_t>(end_ - next_)}, value);
+        next_ += size;
+        return size > 0;
     }
 
     static constexpr bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }

@@ -59,7 +59,8 @@ OctreeNode Builder::build(const Cube& cell, std::size_t begin, int fruitless) {
     const std::size_t first_octants = octants_.size();
     std::array<std::size_t, 8> counts{};
     for (std::size_t i = begin; i < begin + count; ++i) {
-        const unsigned touched = overlap(triangles_.corners(std::size_t(members_[i])));
+        const auto corners = triangles_.corners(std::size_t(members_[i]));
+        const unsigned touched = overlap(std::span(corners));
         octants_.push_back(std::uint8_t(touched));
         for (int branch = 0; branch < 8; ++branch) counts[branch] += touched >> branch & 1;
     }
