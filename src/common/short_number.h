@@ -9,7 +9,7 @@
 namespace infra {
 
 /// Reads a number at the beginning of `text` that a blank or another control character follows: an optional
-/// '-', then at most 7 digits and a point, of which at least one is a digit. To the nearest double: it is the
+/// '-', then up to 7 digits, one of which may be a point instead. To the nearest double: it is the
 /// quotient of two integers that a double holds exactly (W. D. Clinger, "How to Read Floating Point Numbers
 /// Accurately", PLDI 1990).
 ///   returns  how many characters it takes; 0, and `value` as it was, for anything else and at the end of

@@ -37,7 +37,7 @@ void ByteReader::bytes(void* to, std::size_t count) {
     }
 }
 
-std::int64_t ByteReader::integer(int size) {
+std::int64_t ByteReader::any_integer(int size) {
     std::uint64_t bits = static_cast<std::uint64_t>(static_cast<std::int8_t>(byte()));
     while (--size > 0) bits = bits << 8 | static_cast<std::uint64_t>(byte());
     return static_cast<std::int64_t>(bits);

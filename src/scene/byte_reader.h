@@ -19,7 +19,14 @@ class ByteReader {
     /// The next `count` bytes.
     void bytes(void* to, std::size_t count);
     /// Signed integer of `size` bytes, 1 to 8.
-    std::int64_t integer(int size);
+    std::int64_t integer(int size) {
+        constexpr int usual = 4;
+        if (size != usual || end_ - next_ < usual) return any_integer(size);
+        std::uint32_t bits = 0;
+        for (int i = 0; i < usual; ++i) bits = bits << 8 | static_cast<unsigned char>(next_[i]);
+        next_ += usual;
+        return static_cast<std::int32_t>(bits);
+    }
     /// 4 bytes of mantissa and 1 of exponent: 31 bits of precision.
     double real();
     /// Up to a zero byte. throws Error when longer than `longest`.
@@ -36,6 +43,7 @@ class ByteReader {
 
   private:
     bool refill();
+    std::int64_t any_integer(int size);
     [[noreturn]] int fail_truncated() const;
     std::string up_to(char last, std::size_t longest);
 

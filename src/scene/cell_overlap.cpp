@@ -138,13 +138,6 @@ OctantBits CellOverlap::octants(PrimitiveId id, const Cube& cell, const OctantOv
     }
 }
 
-const Vec3* CellOverlap::triangle(PrimitiveId id) const {
-    static_assert(sizeof(Vec3) == 3 * sizeof(double));
-    const auto reals = scene_.reals(id);
-    const bool is_triangle = scene_.type(id) == PrimitiveType::polygon && reals.size() == 9;
-    return is_triangle ? reinterpret_cast<const Vec3*>(reals.data()) : nullptr;
-}
-
 /// It is the first octant of a cell of twice its size.
 Overlap CellOverlap::operator()(PrimitiveId id, const Cube& cell) {
     const Cube twice{cell.origin, 2 * cell.size};

@@ -42,7 +42,12 @@ class CellOverlap {
     Overlap operator()(PrimitiveId id, const Cube& cell);
 
     /// The corners of a triangle, as the scene holds them; null for other surfaces.
-    const Vec3* triangle(PrimitiveId id) const;
+    const Vec3* triangle(PrimitiveId id) const {
+        static_assert(sizeof(Vec3) == 3 * sizeof(double));
+        const auto reals = scene_.reals(id);
+        const bool is_triangle = scene_.type(id) == PrimitiveType::polygon && reals.size() == 9;
+        return is_triangle ? reinterpret_cast<const Vec3*>(reals.data()) : nullptr;
+    }
 
   private:
     const Scene& scene_;

@@ -39,11 +39,12 @@ class Builder {
     /// Node for `cell`, which holds `old`, with `added` (ascending, after all old ones) put in where they
     /// touch it.
     OctreeNode insert(OctreeNode old, const Cube& cell, std::span<const PrimitiveId> added) {
-        members_.reserve(2 * added.size());
+        const Cube twice{cell.origin, 2 * cell.size};  // the cell is its first octant
+        const OctantOverlap polygons(twice);
         for (const PrimitiveId id : added) {
-            const Overlap overlap = overlap_(id, cell);
+            const Overlap overlap = overlap_.octants(id, twice, polygons)[0];
             if (overlap == Overlap::none) continue;
-            members_.push_back({id, overlap == Overlap::contained, overlap_.triangle(id)});
+            members_.push_back({id, overlap == Overlap::contained});
             volumes_ = volumes_ || is_volume(id);
         }
         return build(old, cell, {0, members_.size()}, 0);
@@ -54,8 +55,7 @@ class Builder {
     /// that decides whether it is divided, as volumes that contain it do not ask for that.
     struct Member {
         PrimitiveId id;
-        bool contained;        ///< the cell lies inside this volume
-        const Vec3* triangle;  ///< its corners; null for what is no triangle
+        bool contained;  ///< the cell lies inside this volume
     };
     /// A cell's members: members_[begin..end - 1].
     struct Range {
@@ -97,8 +97,7 @@ bool Builder::may_divide(const Cube& cell, int fruitless) const {
 Builder::Range Builder::put_before(OctreeNode leaf, const Cube& cell, Range added) {
     const std::size_t begin = members_.size();
     for (const PrimitiveId id : tree_.set(leaf)) {
-        members_.push_back(
-            {id, is_volume(id) && overlap_(id, cell) == Overlap::contained, overlap_.triangle(id)});
+        members_.push_back({id, is_volume(id) && overlap_(id, cell) == Overlap::contained});
         volumes_ = volumes_ || is_volume(id);
     }
     for (std::size_t i = added.begin; i < added.end; ++i) members_.push_back(Member(members_[i]));
@@ -169,10 +168,10 @@ std::array<Builder::Range, 8> Builder::sort_into_octants(const Cube& cell, Range
     const OctantOverlap polygons(cell);
     std::array<std::size_t, 8> counts{};
     for (std::size_t i = members.begin; i < members.end; ++i) {
-        const Member& member = members_[i];
-        const OctantBits bits = member.triangle
-                                    ? OctantBits{polygons(std::span<const Vec3, 3>(member.triangle, 3))}
-                                    : overlap_.octants(member.id, cell, polygons);
+        const PrimitiveId id = members_[i].id;
+        const Vec3* const triangle = overlap_.triangle(id);
+        const OctantBits bits = triangle ? OctantBits{polygons(std::span<const Vec3, 3>(triangle, 3))}
+                                         : overlap_.octants(id, cell, polygons);
         octants_.push_back(bits);
         for (int branch = 0; branch < 8; ++branch) counts[branch] += bits.touched >> branch & 1;
     }

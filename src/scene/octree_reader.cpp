@@ -44,7 +44,7 @@ class MemberCheck : public TreeVisitor {
     std::int64_t count_;
     Octree* keep_;
     std::vector<PrimitiveId> set_;
-    std::vector<bool> held_;  // by primitive
+    std::vector<char> held_;  // by primitive
 };
 
 void check_members(ByteReader& in, const Scene& scene, const MemberCheck& tree) {

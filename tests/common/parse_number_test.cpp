@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+
 #include "common/format.h"
+#include "common/short_number.h"
 
 namespace infra {
 namespace {
@@ -47,6 +53,32 @@ TEST(Format, WordsAndCommands) {
     EXPECT_EQ(split_words("  a\tb\n c "), (std::vector<std::string>{"a", "b", "c"}));
     EXPECT_EQ(join_command({"rpict", "-e", "a b", "", "say \"hi\" now", "x"}),
               "rpict -e \"a b\" \"\" 'say \"hi\" now' x");
+}
+
+TEST(ShortNumber, IsTheNearestDouble) {
+    std::mt19937 random(7);
+    for (int i = 0; i < 100000; ++i) {
+        const int size = 1 + int(random() % 7), point = int(random() % 10);
+        std::string text = random() % 2 ? "-" : "";
+        for (int k = 0; k < size; ++k) text += k == point && size > 1 ? '.' : char('0' + random() % 10);
+        double value = 0;
+        ASSERT_EQ(parse_short_number(text + " 12345678", value), text.size()) << text;
+        ASSERT_EQ(value, std::strtod(text.c_str(), nullptr)) << text;
+        ASSERT_EQ(std::signbit(value), text[0] == '-') << text;
+    }
+}
+
+TEST(ShortNumber, LeavesAllElse) {
+    for (const char* text :
+         {"",    " ",   "-",   ".",   "-.",  "--1",      "+1",  "1e3", "1.2.3",  "1..",
+          "0x1", "12a", "a12", "nan", "inf", "12345678", "1/2", "1:2", "\"12\"", "1\x80"}) {
+        double value = 5;
+        EXPECT_EQ(parse_short_number(std::string(text) + "         ", value), 0u) << text;
+        EXPECT_EQ(parse_short_number(std::string(text), value), 0u) << text;
+        EXPECT_EQ(value, 5) << text;
+    }
+    double value = 5;
+    EXPECT_EQ(parse_short_number("12", value), 0u);  // it might go on
 }
 
 }  // namespace
