@@ -10,7 +10,8 @@ namespace infra {
 namespace {
 
 constexpr int most_bins = 16;
-constexpr std::size_t leaf_size = 8;
+constexpr std::size_t triangles_a_leaf = 8;
+constexpr std::size_t others_a_leaf = 1;  // no cheap test goes before theirs but that of the box
 // From this depth of the binary tree on, ranges are halved, so that it ends before depth 60 and a walk's
 // stack is enough: seven entries a level.
 constexpr int halving_depth = 32;
@@ -98,7 +99,10 @@ struct Bvh::Builder {
     bool mixed(const Range& range) const {
         return range.begin < triangle_count && range.end > triangle_count;
     }
-    bool is_leaf(const Range& range) const { return range.size() <= leaf_size && !mixed(range); }
+    bool is_leaf(const Range& range) const {
+        return range.size() <= (range.begin < triangle_count ? triangles_a_leaf : others_a_leaf) &&
+               !mixed(range);
+    }
 
     // Splits a range in two by the surface area heuristic; false if it had better stay a leaf.
     bool split(const Range& range, Range& left, Range& right) {
