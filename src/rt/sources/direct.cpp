@@ -79,7 +79,7 @@ void Tracer::consider_source(int number, const Scattering& scattering, const Int
     divide_source(source, at.point, at.weight, settings_.source_size_ratio, parts);
     for (int p = 0; p < parts.count; ++p) {
         const Part& part = parts.part[p];
-        if (settings_.source_jitter > 0) spread_scattering(at, reflected_shadow, (number << 16) + p);
+        if (settings_.source_jitter > 0) spread_scattering(at, reflected_shadow, number * most_parts + p);
         const Vec3 place = place_on(source, part, parts.count == 1, settings_.source_jitter, random_);
         random_.choose_no_more();
         SourceAim aim;
