@@ -65,6 +65,26 @@ TEST(IrradianceCache, IsExactInASphereFurnace) {
     }
 }
 
+// Values are asked for along lobe rays of every weight, and made for light ones first: those are no good for
+// heavier ones. Roulette takes a value as a whole, so that it is kept and the rays come to an end.
+TEST(IrradianceCache, IsExactInAGlossyFurnaceWithRoulette) {
+    RenderSettings settings = cached_settings(100, 64);
+    settings.ambient_accuracy = 1;
+    settings.specular_threshold = 0;
+    settings.max_reflections = 0;
+    settings.min_weight = 1e-7;
+    Cached scene(
+        "void plastic m 0 0 5 .6 .6 .6 .3 .1\nvoid emissive wall 1 m 0 3 .28 .28 .28\n"
+        "wall bubble enclosure 0 0 4 0 0 0 1\n",
+        settings);
+    RandomStream random(7, 0);
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 way = test::direction(std::acos(2 * random.uniform() - 1), 2 * pi * random.uniform());
+        EXPECT_NEAR(static_cast<double>(scene.radiance(Vec3(0.3, 0, 0), way)[0]), 1, 1e-3);
+    }
+    EXPECT_LT(scene.cache.size(), 20000u);
+}
+
 // A plane under a half sky of radiance 1, beside a black wall of height 1 and great length at x = 0.
 const std::string yard =
     "void glow g 0 0 4 1 1 1 0\ng source sky 0 0 4 0 0 1 180\nvoid plastic black 0 0 5 0 0 0 0 0\n"
@@ -192,6 +212,23 @@ TEST(IrradianceCache, ValuesOfLaterBouncesAndOtherNormalsAreNotUsed) {
     EXPECT_EQ(weight(here, {1, 0, 0}, 1, 0.5), 0);
     EXPECT_EQ(weight({0.5, 0.56, 0.5}, up, 1, 0.5), 0);
     EXPECT_EQ(weight({0.5, 0.5, 0.49}, up, 1, 0.5), 0);  // behind
+}
+
+TEST(IrradianceCache, ValuesForLighterRaysAreNotUsed) {
+    IrradianceCache cache({Vec3(0), 1}, 3, 0.1, 64);
+    IrradianceValue value = value_at({0.5, 0.5, 0.5}, 1);
+    value.level = 1;
+    value.weight = 0.01;
+    cache.add(value);
+    NoWalls walls;
+    const auto weight = [&](int level, double w) {
+        Spectrum sum(3);
+        return cache.interpolate({value.point, value.normal, value.normal, level, w}, walls, sum);
+    };
+    for (const int level : {1, 2, 5}) {
+        EXPECT_GT(weight(level, 0.01), 0);
+        EXPECT_EQ(weight(level, 0.02), 0);
+    }
 }
 
 TEST(IrradianceCache, TakesValuesFromManyThreads) {

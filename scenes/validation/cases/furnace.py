@@ -23,8 +23,15 @@ ANGLES = (0, 45, 75, 87)     # degrees of incidence
 RAYS = 600                   # for each angle
 CHANNELS = 8
 OPTIONS = (*PATHS, "-ad", 1, "-lw", 3e-4)      # one ray from each diffuse hit
-# Walls reflect up to .9; and what is interpolated is the same everywhere, so that few values do.
-CACHED = ("-ab", 100, "-ad", 64, "-lr", 100, "-lw", 0, "-aa", 1)
+
+
+def cached(material):
+    """Interpolated everywhere from a few values, which so need to be exact: roulette spares more of their rays. What it
+    leaves of walls that reflect .9 fades after twice as many bounces as -lw counts on; where a hit has many rays, as
+    those of tables and mixtures, their mean needs less."""
+    least_weight = 1e-6 if "mix" in material else 1e-5 if "nrlbrdf" in material else 1e-17
+    return ("-ab", 200, "-ad", 64, "-lr", 0, "-lw", least_weight, "-aa", 1)
+
 
 ENCLOSURE = """# V3. An enclosure of 300 K: a sphere of this material, in a black one in case it lets light through.
 
@@ -65,12 +72,6 @@ wall ring plate
 """
 
 
-def wall(bench, material):
-    """A table's nsamp is for paths that end by roulette; those of a run that interpolates are followed to the end, and
-    would be a thousand from each hit."""
-    return material.replace(" 1024 .3", " 4 .3") if bench.cached else material
-
-
 def worst(rows):
     """That which comes closest to its bar or to four standard errors."""
     return max(rows, key=lambda row: max(row.sigmas / SIGMAS, row.share_of_bar))
@@ -87,10 +88,10 @@ def rays_to_wall(bench, degrees):
 
 
 def furnace(bench, name, material, number):
-    octree = bench.octree(f"furnace_{number}", ENCLOSURE.format(material=wall(bench, material), temperature=TEMPERATURE,
+    octree = bench.octree(f"furnace_{number}", ENCLOSURE.format(material=material, temperature=TEMPERATURE,
                                                                 modifier="m" if material else "void"))
     rays = [ray for degrees in ANGLES for ray in rays_to_wall(bench, degrees)]
-    radiances = bench.trace(octree, rays, *OPTIONS, interpolation=CACHED)
+    radiances = bench.trace(octree, rays, *OPTIONS, interpolation=cached(material))
     estimates = [mean_of(radiances[i * RAYS:(i + 1) * RAYS]) for i in range(len(ANGLES))]
     closed = band_radiance(TEMPERATURE, *LONG_WAVE)
     return worst([Result(f"{name}, {degrees}°", UNIT, closed, seen.mean, seen.error, BAR, FIGURE)
@@ -99,12 +100,12 @@ def furnace(bench, name, material, number):
 
 def spectral(bench, name, material, number):
     """Each channel is CHANNELS times the radiance in its band; channel 0 has the longest waves."""
-    octree = bench.octree(f"spectral_{number}", ENCLOSURE.format(material=wall(bench, material), temperature=TEMPERATURE,
+    octree = bench.octree(f"spectral_{number}", ENCLOSURE.format(material=material, temperature=TEMPERATURE,
                                                                modifier="m"))
     low, high = LONG_WAVE
     rays = [ray for degrees in ANGLES for ray in rays_to_wall(bench, degrees)]
     channels = ("-co+", "-cs", CHANNELS, "-cw", 1000 * low, 1000 * high)
-    values = bench.trace_channels(octree, rays, CHANNELS, *channels, *OPTIONS, interpolation=CACHED)
+    values = bench.trace_channels(octree, rays, CHANNELS, *channels, *OPTIONS, interpolation=cached(material))
     width = (high - low) / CHANNELS
     rows = []
     for c in range(CHANNELS):
@@ -135,13 +136,14 @@ def alone(bench):
     rows = []
     for number, (name, material, stated, emissivity) in enumerate(walls):
         numbers = f"4 {TEMPERATURE} 8 12 {stated}" if stated else f"3 {TEMPERATURE} 8 12"
-        octree = bench.octree(f"alone_{number}", ALONE.format(material=wall(bench, material), temperature=numbers,
+        octree = bench.octree(f"alone_{number}", ALONE.format(material=material, temperature=numbers,
                                                               modifier="m" if material else "void"))
         candidates = []
         for degrees in ANGLES:
             angle = math.radians(degrees)
             ray = (-math.sin(angle), 0, math.cos(angle), math.sin(angle), 0, -math.cos(angle))
-            seen = mean_of(bench.trace(octree, RAYS * [ray], *OPTIONS, interpolation=CACHED)) * (1 / black_body)
+            seen = mean_of(bench.trace(octree, RAYS * [ray], *OPTIONS, interpolation=cached(material)))
+            seen *= 1 / black_body
             candidates.append(Result(f"emissivity of {name}, {degrees}°", "", emissivity(math.cos(angle)), seen.mean,
                                      seen.error, BAR, absolute=True))
         rows.append(worst(candidates))
@@ -154,9 +156,7 @@ def results(bench):
     for name, text in DATA.items():
         bench.write(name, text)
     bench.write("bands.brdf", "".join(f"#% band {band}\n{bench.read(file)}" for band, file in BANDS))
-    # A mixture follows both of its parts: without roulette, to the end, that is beyond any patience.
-    walls = {name: material for name, material in WALLS.items() if not (bench.cached and name.startswith("mix"))}
-    rows = [furnace(bench, name, material, number) for number, (name, material) in enumerate(walls.items())]
+    rows = [furnace(bench, name, material, number) for number, (name, material) in enumerate(WALLS.items())]
     for number, (name, material) in enumerate(SPECTRAL_WALLS.items()):
         rows += spectral(bench, name, material, number)
     return rows + alone(bench)

@@ -10,6 +10,32 @@ namespace {
 
 constexpr double tiny = 1e-6;
 
+/// Russian roulette for the rays of a new value, all or none: a value that lacks some of its rays cannot be
+/// kept for others, and where none is kept each bounce multiplies the rays. Makes the hit as heavy as it
+/// must be for all of them, until the end.
+class RouletteForValue {
+  public:
+    RouletteForValue(const RenderSettings& settings, RandomStream& random, Interaction& at)
+        : at_(at), weight_(at.weight) {
+        const double needed = settings.min_weight / HemisphereGatherer::assumed_reflectance;
+        if (settings.max_reflections > 0 || at.weight >= needed) return;
+        lost_ = random.uniform() * needed >= at.weight;
+        at.weight = needed;
+    }
+    RouletteForValue(const RouletteForValue&) = delete;
+    RouletteForValue& operator=(const RouletteForValue&) = delete;
+    ~RouletteForValue() { at_.weight = weight_; }
+
+    bool lost() const { return lost_; }
+    /// What makes up for the values that were lost.
+    double boost() const { return at_.weight / weight_; }
+
+  private:
+    Interaction& at_;
+    double weight_;
+    bool lost_ = false;
+};
+
 }  // namespace
 
 /// Looks for opaque surfaces between a hit and other points.
@@ -44,11 +70,11 @@ class HitWallTest : public WallTest {
 
 bool Tracer::add_cached_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side,
                                 Interaction& at) {
-    const IrradiancePlace place{.point = at.point,
-                                .normal = other_side ? -at.normal : at.normal,
-                                .shading_normal = normal,
-                                .level = at.ray->ambient_level,
-                                .weight = at.weight};
+    IrradiancePlace place{.point = at.point,
+                          .normal = other_side ? -at.normal : at.normal,
+                          .shading_normal = normal,
+                          .level = at.ray->ambient_level,
+                          .weight = at.weight};
     HitWallTest walls(*this, at);
     IrradianceValue value(at.channels());
     const double weight = irradiance_cache_->interpolate(place, walls, value.radiance);
@@ -57,6 +83,9 @@ bool Tracer::add_cached_ambient(const Spectrum& coefficient, const Vec3& normal,
         at.radiance.add_product(value.radiance, coefficient);
         return true;
     }
+    const RouletteForValue roulette(settings_, random_, at);
+    if (roulette.lost()) return true;
+    place.weight = at.weight;
     value.radiance.clear();
     switch (HemisphereGatherer(*this, at, place, other_side ? through_ambient : reflected_ambient)
                 .gather(irradiance_cache_->limits(), value)) {
@@ -69,6 +98,7 @@ bool Tracer::add_cached_ambient(const Spectrum& coefficient, const Vec3& normal,
             if (at.textured()) extrapolate(value, place, value.radiance);
             break;
     }
+    value.radiance *= static_cast<float>(roulette.boost());
     at.radiance.add_product(value.radiance, coefficient);
     return true;
 }

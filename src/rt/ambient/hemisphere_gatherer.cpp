@@ -12,7 +12,6 @@ namespace infra {
 namespace {
 
 constexpr double tiny = 1e-6;
-constexpr double assumed_reflectance = 0.5;
 constexpr int fewest_divisions = 7;   // along a side; fewer say nothing about change
 constexpr int most_divisions = 1024;  // a hemisphere then takes 170 MB
 /// Share of the radiance that a value's spacing takes as the same in all directions: distances alone count
@@ -29,10 +28,11 @@ std::uint64_t name_of(const Vec3& point, int level) {
     return name;
 }
 
-/// Values count as much as rays of this weight, unless the ray that asks is much lighter.
+/// Values count as much as rays of this weight, unless the ray that asks is much lighter, or has been made
+/// heavier by roulette.
 double value_weight(const IrradiancePlace& place) {
-    const double usual = std::pow(assumed_reflectance, place.level);
-    return place.weight < 0.1 * usual ? 1.25 * place.weight : usual;
+    const double usual = std::pow(HemisphereGatherer::assumed_reflectance, place.level);
+    return place.weight < 0.1 * usual ? 1.25 * place.weight : std::max(usual, place.weight);
 }
 
 }  // namespace
@@ -70,8 +70,7 @@ HemisphereGatherer::Outcome HemisphereGatherer::gather(const CacheLimits& limits
     view_.cells.assign(static_cast<std::size_t>(cell_count), HemisphereCell{Spectrum(at_.channels())});
     view_.corners.assign(static_cast<std::size_t>(cell_count), MeshCorner{Vec3(0), 0, 0});
     const int traced = trace_grid();
-    const bool by_chance = tracer_.settings_.max_reflections <= 0;  // that no ray was traced
-    if (traced == 0 && !(guided_ && by_chance)) return Outcome::nothing;
+    if (traced == 0) return Outcome::nothing;
     if (traced == cell_count) trace_more();
     value.radiance.clear();
     for (const HemisphereCell& cell : view_.cells) value.radiance += cell.mean;
@@ -88,7 +87,6 @@ HemisphereGatherer::Outcome HemisphereGatherer::gather(const CacheLimits& limits
 
 // False if none of the rays would be traced.
 bool HemisphereGatherer::rays_are_heavy_enough() {
-    if (tracer_.settings_.max_reflections <= 0) return true;  // Russian roulette decides for each
     const Spectrum assumed(at_.channels(), static_cast<float>(assumed_reflectance));
     Ray child(at_.channels());
     return tracer_.spawn(child, kind_, at_, &assumed);
@@ -102,12 +100,10 @@ bool HemisphereGatherer::trace(int cell, double x, double y, bool first, Spectru
     child.ambient_level = place_.level + 1;
     const Vec3 local = cosine_direction(x, y);
     child.direction = u_ * local.x + v_ * local.y + place_.normal * local.z;
-    const float boost =
-        child.coefficient[0] / static_cast<float>(assumed_reflectance);  // by Russian roulette
-    child.coefficient.fill(boost / static_cast<float>(divisions_ * divisions_));
+    child.coefficient.fill(1.0f / static_cast<float>(divisions_ * divisions_));
     Interaction seen(child);
     tracer_.trace(seen);
-    radiance = seen.radiance * boost;
+    radiance = seen.radiance;
     if (guided_) {
         const double others = divisions_ * divisions_ * local.z * std::numbers::inv_pi;
         radiance *= static_cast<float>(guided_->weight_of_others(child.direction, others));

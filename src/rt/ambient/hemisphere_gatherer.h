@@ -15,6 +15,9 @@ namespace infra {
 
 class HemisphereGatherer {
   public:
+    /// Rays of a value have this share of the weight of the hit that it is made for: others will use it.
+    static constexpr double assumed_reflectance = 0.5;
+
     enum class Outcome {
         nothing,     ///< no ray was heavy enough to be traced
         value_only,  ///< some were not: radiance is good for this hit alone
@@ -27,7 +30,8 @@ class HemisphereGatherer {
     HemisphereGatherer& operator=(const HemisphereGatherer&) = delete;
     ~HemisphereGatherer();
 
-    /// Draws from a random stream of the place, not from that of the ray that asks.
+    /// Draws from a random stream of the place, not from that of the ray that asks. The hit must be heavy
+    /// enough for roulette to spare all rays.
     Outcome gather(const CacheLimits& limits, IrradianceValue& value);
 
   private:

@@ -131,10 +131,12 @@ double IrradianceCache::sum_entries(const Node& node, Query& query) const {
         entry && entry->level <= place.level ? query.widest_angle_light : query.widest_angle;
     double sum = 0;
     for (; entry; entry = entry->next.load(std::memory_order_acquire)) {
-        // Values of later bounces, or sampled for lighter rays, are too coarse; they come last
-        if (entry->level > place.level ||
-            (entry->level == place.level && static_cast<double>(entry->weight) < 0.9 * place.weight))
-            break;
+        // Values of later bounces are too coarse, as are those sampled for lighter rays
+        if (entry->level > place.level) break;
+        if (static_cast<double>(entry->weight) < 0.9 * place.weight) {
+            if (entry->level == place.level) break;
+            continue;
+        }
         const Vec3 normal = vec(entry->normal);
         const double cosine = dot(normal, place.normal);
         if (cosine <= 0) continue;
