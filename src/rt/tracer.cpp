@@ -325,9 +325,8 @@ void Tracer::trace_mirror(const Scattering& scattering, Interaction& at) {
     if (scattering.image_behind) at.mirrored_distance += image.apparent_distance();
 }
 
-// Spreads the direction of a ray that is about to be scattered, if it is the first one of its path.
-void Tracer::spread_scattering(const Interaction& at, std::uint16_t kind, int sample) {
-    if (!spreads_ || at.ray->is(ambient_rays | lobe_rays)) return;
+void Tracer::spread_first_scattering(const Interaction& at, std::uint16_t kind, int sample) {
+    if (at.ray->is(ambient_rays | lobe_rays)) return;
     const auto place = static_cast<std::uint64_t>(at.ray->lineage) << 16 | kind;
     spread(
         seed_of(place, static_cast<std::uint64_t>(at.ray->level) << 32 | static_cast<std::uint32_t>(sample)));

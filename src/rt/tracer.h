@@ -21,6 +21,7 @@
 namespace infra {
 
 class Guide;
+struct AimedRays;
 class IrradianceCache;
 class PhotonMaps;
 class Scattering;
@@ -146,7 +147,12 @@ class Tracer {
     void add_thermal_emission(const Scattering& scattering, Interaction& at);
     void trace_mirror(const Scattering& scattering, Interaction& at);
     void trace_through(const Scattering& scattering, Interaction& at);
-    void spread_scattering(const Interaction& at, std::uint16_t kind, int sample);
+    /// Spreads the direction of a ray that is about to be scattered, if it is the first one of its path.
+    void spread_scattering(const Interaction& at, std::uint16_t kind, int sample) {
+        if (spreads_) [[unlikely]]
+            spread_first_scattering(at, kind, sample);
+    }
+    void spread_first_scattering(const Interaction& at, std::uint16_t kind, int sample);
     int lobe_ray_count(const class Lobe& lobe, const Interaction& at) const;
     void trace_lobe(const class Lobe& lobe, Interaction& at);
     void guide_lobe(const class Lobe& lobe, int count, const class GuidedShare& guided, Interaction& at);
@@ -182,12 +188,14 @@ class Tracer {
     void add_ambient(const Spectrum& coefficient, const Vec3& normal, bool other_side, Interaction& at);
     bool sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum);
     bool sample_adaptively(Hemisphere& half, int extra, Interaction& at, Spectrum& sum);
+    void aim_at_cells(const Hemisphere& half, int first, int count, const Interaction& at, AimedRays& rays);
     bool sample_cell(Hemisphere& half, int cell, int again, Interaction& at, Spectrum& radiance);
     void turn_upwards(const Hemisphere& half, Vec3& direction);
     bool spawn_ambient(Hemisphere& half, const Interaction& at);
     void guide_hemisphere(const Hemisphere& half, const Spectrum& coefficient, Interaction& at,
                           Spectrum& sum);
-    bool trace_ambient(Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance);
+    bool trace_ambient(Hemisphere& half, const AimedRays& rays, int aimed, Interaction& at,
+                       Spectrum& radiance);
 
     // sources/direct.cpp
     void add_direct(const Scattering& scattering, Interaction& at);

@@ -1,6 +1,7 @@
 #include "common/pictures/rgbe.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace infra {
@@ -24,14 +25,15 @@ Rgbe to_rgbe(float red, float green, float blue) {
 
 void to_common_exponent(std::span<const float> channels, std::span<std::uint8_t> pixel) {
     float brightest = 0;
-    for (const float channel : channels) brightest = std::fmax(brightest, channel);
+    for (const float channel : channels) brightest = channel > brightest ? channel : brightest;
     brightest = std::min(brightest, largest);
     if (!(brightest > smallest)) {
         std::ranges::fill(pixel, std::uint8_t{0});
         return;
     }
-    int exponent = 0;
-    const double scale = std::frexp(double(brightest), &exponent) * 256.0 / brightest;
+    // Of a number that is not denormal: above `smallest`, it is 0.5..1 times two to this.
+    const int exponent = static_cast<int>(std::bit_cast<std::uint32_t>(brightest) >> 23) - 126;
+    const double scale = std::bit_cast<double>(std::uint64_t(1023 + 8 - exponent) << 52);
     for (std::size_t c = 0; c < channels.size(); ++c) pixel[c] = mantissa(channels[c], scale);
     pixel[channels.size()] = static_cast<std::uint8_t>(exponent + exponent_bias);
 }

@@ -36,7 +36,10 @@ class Spectrum {
     float operator[](int c) const { return lane_[c / 4][c % 4]; }
     void set(int c, float value) { lane_[c / 4][c % 4] = value; }
     void fill(float value) {
-        for (int c = 0; c < channels_; ++c) set(c, value);
+        for_lanes([&](int l) {
+            const Bits in_use = Bits{0, 1, 2, 3} < channels_ - 4 * l;
+            lane_[l] = reinterpret_cast<Lane>(reinterpret_cast<Bits>(Lane{} + value) & in_use);
+        });
     }
     void clear() {
         for_lanes([&](int l) { lane_[l] = Lane{}; });
@@ -69,9 +72,9 @@ class Spectrum {
 
     /// Whether no channel is infinite or not a number.
     bool finite() const {
-        float sum = 0.0f;  // x * 0 is 0 for finite x only
-        for (int c = 0; c < channels_; ++c) sum += (*this)[c] * 0.0f;
-        return sum == 0.0f;
+        Lane sum{};  // x * 0 is 0 for finite x only
+        for_lanes([&](int l) { sum += lane_[l] * 0.0f; });
+        return (sum[0] + sum[1]) + (sum[2] + sum[3]) == 0.0f;
     }
 
     /// Largest channel, or 0 if all are negative: a ray's weight.
@@ -94,10 +97,11 @@ class Spectrum {
 
   private:
     typedef float Lane __attribute__((vector_size(16)));
+    typedef int Bits __attribute__((vector_size(16)));
 
     // The first lane is written out, for three channels have no other.
     template <class Step>
-    void for_lanes(Step&& step) {
+    void for_lanes(Step&& step) const {
         step(0);
         if (channels_ > 4) [[unlikely]]
             for (int l = 1; 4 * l < channels_; ++l) step(l);

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "rt/ambient/cosine_direction.h"
+#include "rt/ambient/aimed_rays.h"
 #include "rt/ambient/hemisphere_cells.h"
 #include "rt/ambient/tilt.h"
 #include "rt/guiding/guided_share.h"
@@ -116,16 +116,17 @@ bool Tracer::spawn_ambient(Hemisphere& half, const Interaction& at) {
     return true;
 }
 
-// One ray through a point of the unit square that maps to the hemisphere. False if it was not traced.
-bool Tracer::trace_ambient(Hemisphere& half, double x, double y, Interaction& at, Spectrum& radiance) {
+// Ray number `aimed` of a few. False if it was not traced.
+bool Tracer::trace_ambient(Hemisphere& half, const AimedRays& rays, int aimed, Interaction& at,
+                           Spectrum& radiance) {
     if (!half.steady && !spawn_ambient(half, at)) return false;
     Ray& child = half.ray;
-    if (half.tilt) {
-        const Vec3 local = half.tilt->direction(x, y);
+    if (half.tilt) [[unlikely]] {
+        const Vec3 local = half.tilt->direction(rays.across[0][aimed], rays.across[1][aimed]);
         half.weight = half.tilt->weight(local);
         child.direction = half.to_scene(local);
     } else {
-        child.direction = half.to_scene(cosine_direction(x, y));
+        child.direction = rays[aimed];
         if (half.textured) turn_upwards(half, child.direction);
     }
     double share = 1;
@@ -145,8 +146,11 @@ void Tracer::turn_upwards(const Hemisphere& half, Vec3& direction) {
             direction -= half.surface_normal * (2.0 * dot(direction, half.surface_normal));
             return;
         }
-        const double x = random_.uniform(), y = random_.uniform();
-        direction = half.to_scene(cosine_direction(x, y));
+        AimedRays again;
+        again.across[0][0] = random_.uniform();
+        again.across[1][0] = random_.uniform();
+        again.aim(1, half.u, half.v, half.axis);
+        direction = again[0];
     }
 }
 
@@ -178,12 +182,17 @@ bool Tracer::sample_hemisphere(Hemisphere& half, Interaction& at, Spectrum& sum)
     int traced = 0;
     double weights = 0;
     if (observer_ && half.tilt) observer_->begin_sum();
-    for (int cell = 0; cell < cell_count; ++cell)
-        if (sample_cell(half, cell, 0, at, radiance)) {
+    AimedRays rays;
+    for (int cell = 0; cell < cell_count; cell += AimedRays::most) {
+        const int count = std::min(cell_count - cell, AimedRays::most);
+        aim_at_cells(half, cell, count, at, rays);
+        for (int i = 0; i < count; ++i) {
+            if (!trace_ambient(half, rays, i, at, radiance)) continue;
             sum.add_scaled(radiance, static_cast<float>(half.weight));
             weights += half.weight;
             ++traced;
         }
+    }
     const double balance = half.balance(traced, weights);
     if (observer_ && half.tilt) observer_->end_sum(balance);
     if (balance != 1) sum *= static_cast<float>(balance);
@@ -206,13 +215,33 @@ void Tracer::guide_hemisphere(const Hemisphere& half, const Spectrum& coefficien
     }
 }
 
+// A ray through a random place of each of `count` cells in a row.
+void Tracer::aim_at_cells(const Hemisphere& half, int first, int count, const Interaction& at,
+                          AimedRays& rays) {
+    const int n = half.divisions;
+    const double size = 1.0 / n;
+    int row = first / n, column = first % n;
+    for (int i = 0; i < count; ++i) {
+        spread_scattering(at, half.kind, first + i);
+        rays.across[0][i] = (row + random_.uniform()) * size;
+        rays.across[1][i] = (column + random_.uniform()) * size;
+        if (++column == n) {
+            column = 0;
+            ++row;
+        }
+    }
+    rays.aim(count, half.u, half.v, half.axis);
+}
+
 // Ray number `again`, from 0, through a random place of a cell.
 bool Tracer::sample_cell(Hemisphere& half, int cell, int again, Interaction& at, Spectrum& radiance) {
     const int n = half.divisions;
     spread_scattering(at, half.kind, again * n * n + cell);
-    const double x = (cell / n + random_.uniform()) / n;
-    const double y = (cell % n + random_.uniform()) / n;
-    return trace_ambient(half, x, y, at, radiance);
+    AimedRays rays;
+    rays.across[0][0] = (cell / n + random_.uniform()) / n;
+    rays.across[1][0] = (cell % n + random_.uniform()) / n;
+    rays.aim(1, half.u, half.v, half.axis);
+    return trace_ambient(half, rays, 0, at, radiance);
 }
 
 // A ray through each cell, then `extra` rays where neighbouring cells differ most.

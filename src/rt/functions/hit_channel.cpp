@@ -12,7 +12,8 @@ double hit_channel(const Interaction& at, const Transform& to_local, double side
     const auto& m = to_local.matrix;
     const double scale = to_local.magnification();
     const auto direction = [&](const Vec3& v, int i) {
-        return (v.x * m[0][i] + v.y * m[1][i] + v.z * m[2][i]) / scale;
+        const double scaled = v.x * m[0][i] + v.y * m[1][i] + v.z * m[2][i];
+        return scale == 1 ? scaled : scaled / scale;
     };
     if (number < 1) throw Error("illegal channel number $" + std::to_string(number), "a ray has $1 to $27");
     if (number < cal::surface_normal) return direction(at.ray->direction, number - cal::ray_direction);

@@ -1,8 +1,9 @@
 // The walk of a ray through the hierarchy; for the files that trace rays only.
 #pragma once
 
+#include <algorithm>
 #include <bit>
-#include <cmath>
+#include <cstdint>
 
 #include "rt/geometry/bvh.h"
 
@@ -69,27 +70,32 @@ void Bvh::walk(const Vec3& origin, const Vec3& direction, Visit&& visit, Limit&&
     query.triangle_count = triangle_count_;
     query.visit = Query::visit_leaf;
     query.error = 1.2e-6f * reach_;
-    // Within the box's neighbourhood a slope of 1e-12 is as good as none.
-    const auto component = [](double d) {
-        return static_cast<float>(std::fabs(d) < 1e-12 ? std::copysign(1e-12, d) : d);
-    };
-    const BvhRay::Four slope{component(direction.x), component(direction.y), component(direction.z), 1.0f};
+    // Within the box's neighbourhood a slope of 1e-12 is as good as none. Sizes compare like their bits.
+    constexpr std::int32_t least = std::bit_cast<std::int32_t>(1e-12f), sign = std::int32_t{1} << 31;
+    typedef std::int32_t Bits __attribute__((vector_size(16)));
+    const BvhRay::Four given{static_cast<float>(direction.x), static_cast<float>(direction.y),
+                             static_cast<float>(direction.z), 1.0f};
+    const Bits size_of_given = std::bit_cast<Bits>(given) & ~sign;
+    const Bits size = size_of_given > least ? size_of_given : Bits{least, least, least, least};
+    const BvhRay::Four slope = std::bit_cast<BvhRay::Four>(size | (std::bit_cast<Bits>(given) & sign));
     query.inverse = 1.0f / slope;
     query.inverse[3] = 0.0f;
     query.origin = BvhRay::Four{static_cast<float>(origin.x + direction.x * enter),
                                 static_cast<float>(origin.y + direction.y * enter),
                                 static_cast<float>(origin.z + direction.z * enter), 0.0f};
     for (int axis = 0; axis < 3; ++axis) query.near_side[axis] = slope[axis] < 0;
-    int along = std::fabs(slope[1]) > std::fabs(slope[0]) ? 1 : 0;
-    if (std::fabs(slope[2]) > std::fabs(slope[along])) along = 2;
-    constexpr int next[] = {1, 2, 0, 1};
-    const int x = next[along], y = next[along + 1];
-    query.axis[0] = x;
-    query.axis[1] = y;
-    query.axis[2] = query.axis[3] = along;
-    query.inverse_along = query.inverse[along];
-    query.shear[0] = -slope[x] * query.inverse_along;
-    query.shear[1] = -slope[y] * query.inverse_along;
+    if (triangle_count_ > 0) {
+        const int y_wins = size[1] > size[0];
+        const int along = size[2] > std::max(size[0], size[1]) ? 2 : y_wins;
+        static constexpr int next[] = {1, 2, 0, 1};
+        const int x = next[along], y = next[along + 1];
+        query.axis[0] = x;
+        query.axis[1] = y;
+        query.axis[2] = query.axis[3] = along;
+        query.inverse_along = query.inverse[along];
+        query.shear[0] = -slope[x] * query.inverse_along;
+        query.shear[1] = -slope[y] * query.inverse_along;
+    }
     query.update();
     kernel_(query);
 }

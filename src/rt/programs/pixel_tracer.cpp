@@ -102,7 +102,6 @@ double PixelTracer::trace_past(const Interaction& source) {
 /// what it sees; black and 0 where the view has no ray.
 double PixelTracer::trace_sample(int column, int row) {
     const Picture& picture = frame_.picture;
-    std::fill(sample_.begin(), sample_.end(), 0.0f);
     tracer_.spread(in_pixel);
     const double x = (column + jittered()) / picture.width;
     const double y = (picture.height - 1 - row + jittered()) / picture.height;
@@ -111,7 +110,10 @@ double PixelTracer::trace_sample(int column, int row) {
     tracer_.spread(on_lens);
     const bool found = find_ray(x, y, origin, direction, reach);
     tracer_.random().choose_no_more();
-    if (!found) return 0;
+    if (!found) {
+        std::fill(sample_.begin(), sample_.end(), 0.0f);
+        return 0;
+    }
     Ray ray = tracer_.primary(origin, direction, std::isfinite(reach) ? reach : 0);
     ray.fore = camera_.view.fore;
     Interaction at(ray);
@@ -141,6 +143,21 @@ double PixelTracer::standard_error(int band, std::span<const int> sizes) const {
 bool PixelTracer::trace(int column, int row) {
     const std::size_t index = static_cast<std::size_t>(row) * frame_.picture.width + column;
     if (!frame_.traced.empty() && frame_.is_traced(index)) return false;
+    if (camera_.samples == 1 && frame_.error.empty()) {
+        throw_if_interrupted();
+        tracer_.start_stream(index);
+        const double depth = trace_sample(column, row);
+        if (!frame_.depth.empty()) frame_.depth[index] = static_cast<float>(depth);
+        std::copy(sample_.begin(), sample_.end(), frame_.picture.at(column, row).begin());
+    } else {
+        trace_samples(column, row, index);
+    }
+    if (!frame_.traced.empty()) frame_.mark_traced(index);
+    return true;
+}
+
+/// The mean of a pixel's samples, and its standard error.
+void PixelTracer::trace_samples(int column, int row, std::size_t index) {
     const int samples = camera_.samples, replica_count = std::min(samples, most_replicas);
     const std::size_t bands = frame_.bands();
     std::fill(sum_.begin(), sum_.end(), 0.0);
@@ -167,8 +184,6 @@ bool PixelTracer::trace(int column, int row) {
         for (std::size_t b = 0; b < bands; ++b)
             frame_.error[index * bands + b] = static_cast<float>(
                 standard_error(static_cast<int>(b), std::span(sizes).first(replica_count)));
-    if (!frame_.traced.empty()) frame_.mark_traced(index);
-    return true;
 }
 
 }  // namespace infra

@@ -73,6 +73,7 @@ class PixelTracer {
 
   private:
     double jittered();
+    void trace_samples(int column, int row, std::size_t index);
     double trace_sample(int column, int row);
     double standard_error(int band, std::span<const int> sizes) const;
     bool find_ray(double x, double y, Vec3& origin, Vec3& direction, double& reach);
