@@ -6,6 +6,7 @@
 #include "rt/ambient/hemisphere_cells.h"
 #include "rt/ambient/hemisphere_mesh.h"
 #include "rt/photons/photon_density.h"
+#include "rt/sources/brightest_first.h"
 #include "rt/tracer.h"
 
 namespace infra {
@@ -28,7 +29,7 @@ struct HemisphereView {
 
 struct Tracer::Scratch {
     std::vector<Contribution> contributions;  ///< of the direct calculation under way, which never nests
-    std::vector<std::uint32_t> order;
+    std::vector<Ranked> order, spare_order;
     std::vector<float> tail;
     std::vector<std::vector<HemisphereCell>> hemispheres;  ///< by ambient level
     std::vector<HemisphereView> views;                     ///< the same

@@ -201,6 +201,7 @@ class Tracer {
     void add_direct(const Scattering& scattering, Interaction& at);
     void consider_source(int source, const Scattering& scattering, const Interaction& at);
     void add_sample(int source, const SourceAim& aim, const Scattering& scattering, const Interaction& at);
+    bool even_source_value(Contribution& contribution, const Interaction& at);
     bool source_value(Contribution& contribution, const Interaction& at);
     bool test_shadow(Contribution& contribution, const Interaction& at);
     void show_arrival(const Ray& ray);

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "rt/sources/brightest_first.h"
 #include "scene_pieces.h"
 
 namespace infra {
@@ -141,6 +142,43 @@ TEST(DirectLight, ManySourcesAddUp) {
     EXPECT_NEAR(all.irradiance(ground.origin, ground.direction), expected, 2e-3 * expected);
     test::TracedScene some(text);  // by -dt and -dc a part of the sources is not tested for shadow
     EXPECT_NEAR(some.irradiance(ground.origin, ground.direction), expected, 2e-3 * expected);
+}
+
+// Lamps that are as bright everywhere are not asked by a ray of their own: those with a pattern are. What
+// they shine on sees no difference, from either side of them.
+TEST(DirectLight, EvenSourcesGiveWhatPatternedOnesGive) {
+    const std::string shapes =
+        "lamp polygon p 0 0 12 -.5 -.5 1 -.5 .5 1 .5 .5 1 .5 -.5 1\nlamp sphere s 0 0 4 2 0 1 .3\n"
+        "lamp cylinder c 0 0 7 0 2 1 0 3 1 .1\n"
+        "lamp ring r 0 0 8 0 -2 1 0 0 -1 0 .2\nlamp source sun 0 0 4 .3 .2 1 2\n";
+    test::TracedScene even(lamp + shapes, fine(0.9));
+    test::TracedScene asked("void brightfunc one 2 1 . 0 0\none light lamp 0 0 3 1 1 1\n" + shapes,
+                            fine(0.9));
+    RandomStream random(31, 0);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 place(4 * random.uniform() - 2, 4 * random.uniform() - 2, 2 * random.uniform());
+        const Vec3 normal = test::direction(pi * random.uniform(), 2 * pi * random.uniform());
+        EXPECT_EQ(even.irradiance(place, normal), asked.irradiance(place, normal));
+    }
+}
+
+TEST(DirectLight, BrightestFirstKeepsTheOrderOfEqualOnes) {
+    RandomStream random(17, 0);
+    std::vector<Ranked> spare;
+    for (const std::size_t count : {0, 1, 100, 256, 257, 5000}) {
+        std::vector<float> values;
+        std::vector<Ranked> list;
+        for (std::size_t i = 0; i < count; ++i) {
+            values.push_back(i % 7 == 0 ? 0.25f : static_cast<float>(std::exp(60 * random.uniform() - 40)));
+            list.emplace_back(values.back(), static_cast<std::uint32_t>(i));
+        }
+        sort_brightest_first(list, spare);
+        ASSERT_EQ(list.size(), count);
+        for (std::size_t i = 1; i < count; ++i) {
+            const std::uint32_t a = list[i - 1].place(), b = list[i].place();
+            EXPECT_TRUE(values[a] > values[b] || (values[a] == values[b] && a < b)) << i;
+        }
+    }
 }
 
 }  // namespace

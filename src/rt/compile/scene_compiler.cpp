@@ -119,6 +119,9 @@ class SceneCompiler {
             LightSource source = make_light_source(scene_, surface.primitive, *emitter, out_.warnings_);
             source.surface = static_cast<int>(i);
             source.modifier = finish.modifier;
+            if (material == finish.modifier && !material->next() && material->traits()->is_light &&
+                (emitter->kind() == Emitter::Kind::light || emitter->kind() == Emitter::Kind::glow))
+                source.even_radiance = &emitter->radiance();
             if (!distant) check_center(source);
             indirect = indirect || (source.skip && settings_.ambient_bounces > 0);
             surface.source = static_cast<int>(out_.sources_.size());

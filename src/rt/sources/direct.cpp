@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "rt/materials/scattering.h"
 #include "rt/photons/photon_maps.h"
@@ -37,15 +36,15 @@ void Tracer::add_direct(const Scattering& scattering, Interaction& at) {
 
     // Brightest first; tail[i] is what i and all after it could add.
     const std::size_t count = all.size();
-    std::vector<std::uint32_t>& order = scratch_->order;
+    std::vector<Ranked>& order = scratch_->order;
     std::vector<float>& tail = scratch_->tail;
-    order.resize(count);
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return all[a].brightness > all[b].brightness; });
+    order.clear();
+    for (std::size_t i = 0; i < count; ++i)
+        order.emplace_back(all[i].brightness, static_cast<std::uint32_t>(i));
+    sort_brightest_first(order, scratch_->spare_order);
     tail.resize(count);
     float sum = 0;
-    for (std::size_t i = count; i-- > 0;) tail[i] = sum += all[order[i]].brightness;
+    for (std::size_t i = count; i-- > 0;) tail[i] = sum += all[order[i].place()].brightness;
 
     const auto group = std::max<std::size_t>(
         1, static_cast<std::size_t>(std::pow(static_cast<double>(count), settings_.shadow_certainty) + 0.5));
@@ -58,18 +57,19 @@ void Tracer::add_direct(const Scattering& scattering, Interaction& at) {
             first_untested = i;
             break;
         }
-        Contribution& contribution = all[order[i]];
+        Contribution& contribution = all[order[i].place()];
         if (test_shadow(contribution, at)) at.radiance += contribution.value;
     }
     // Of what is left one in each group is tested, and speaks for all.
     double tested = 0, visible = 0;
     for (std::size_t i = first_untested; i < count; i += group) {
-        Contribution& contribution = all[order[i]];
+        Contribution& contribution = all[order[i].place()];
         tested += contribution.brightness;
         if (test_shadow(contribution, at)) visible += contribution.brightness;
     }
     const auto chance = static_cast<float>(tested > 0 ? visible / tested : 0.0);
-    for (std::size_t i = first_untested; i < count; ++i) at.radiance.add_scaled(all[order[i]].value, chance);
+    for (std::size_t i = first_untested; i < count; ++i)
+        at.radiance.add_scaled(all[order[i].place()].value, chance);
 }
 
 void Tracer::consider_source(int number, const Scattering& scattering, const Interaction& at) {
@@ -94,11 +94,34 @@ void Tracer::add_sample(int number, const SourceAim& aim, const Scattering& scat
         number, aim.direction, infinite_distance, Spectrum(at.channels()), Spectrum(at.channels()), 0};
     scattering.eval(aim.direction, aim.omega, !is_in_photon_map(*at.ray), contribution.coefficient);
     contribution.coefficient *= static_cast<float>(aim.omega);
-    if (contribution.coefficient.maximum() <= 0 || !source_value(contribution, at)) return;
+    if (contribution.coefficient.maximum() <= 0) return;
+    const bool even = scene_.source(number).even_radiance && !at.medium;
+    if (!(even ? even_source_value(contribution, at) : source_value(contribution, at))) return;
     scratch_->contributions.push_back(contribution);
 }
 
 // What the source shows towards the point if nothing stands in between. False for black.
+bool Tracer::even_source_value(Contribution& contribution, const Interaction& at) {
+    const LightSource& source = scene_.source(contribution.source);
+    if (source.distant()) {
+        if (dot(source.center, contribution.direction) < source.least_cosine) return false;
+    } else {
+        HitState state;
+        const Geometry& geometry = scene_.geometry();
+        if (!geometry.intersect_one(geometry.shape_of(source.surface), at.point, contribution.direction,
+                                    state))
+            return false;
+        if (!state.front) return source_value(contribution, at);
+        contribution.distance = state.distance;
+    }
+    contribution.value = *source.even_radiance;
+    if (split_) split_->arrive(source.surface, contribution.value);
+    contribution.value *= contribution.coefficient;
+    contribution.brightness = contribution.value.brightness();
+    return contribution.brightness > 0;
+}
+
+// The same by a ray, for sources of any kind.
 bool Tracer::source_value(Contribution& contribution, const Interaction& at) {
     Ray ray(at.channels());
     if (!spawn(ray, reflected_shadow, at, nullptr)) return false;

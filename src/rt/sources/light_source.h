@@ -2,6 +2,7 @@
 // within their radius; or a distant source; or the image of any of these in a mirror or prism.
 #pragma once
 
+#include "common/spectra/spectrum.h"
 #include "common/vec.h"
 #include "rt/modifier.h"
 
@@ -51,6 +52,8 @@ struct LightSource {
     double size = 0;          ///< area, cylinder: the greatest projected area; distant: solid angle [sr]
     Vec3 half_axis[3] = {Vec3{0}, Vec3{0}, Vec3{0}};
     const Modifier* modifier = nullptr;  ///< of the surface: what gives the radiance
+    /// Of its front, if it is the same everywhere and in all directions; nullptr: the modifier knows.
+    const Spectrum* even_radiance = nullptr;
     bool passes_unseen = false;  ///< an illum without another material, seen through when not aimed at
     bool is_weak = false;        ///< illum or glow: an illum in the way blocks it
 

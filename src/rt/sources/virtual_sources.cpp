@@ -113,6 +113,7 @@ class ImageMaker {
         LightSource image = parent;
         image.surface = surface.surface;
         image.modifier = scene_.finish(surface.surface).modifier;
+        image.even_radiance = nullptr;
         image.disk = surface.disk;
         image.passes_unseen = image.is_weak = false;
         image.center =
