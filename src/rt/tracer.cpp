@@ -123,7 +123,7 @@ void Tracer::irradiance(Interaction& at) {
 }
 
 bool Tracer::intersect(Interaction& at) {
-    ++ray_count_;
+    rays_.count(at.ray->kind);
     HitState state;
     if (at.ray->max_distance > tiny) state.distance = at.ray->max_distance;
     scene_.geometry().intersect(at.ray->origin, at.ray->direction, at.ray->leaving, state);

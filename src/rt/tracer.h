@@ -16,6 +16,7 @@
 #include "common/random.h"
 #include "rt/compile/compiled_scene.h"
 #include "rt/ray.h"
+#include "rt/ray_counts.h"
 #include "rt/settings.h"
 
 namespace infra {
@@ -93,7 +94,8 @@ class Tracer {
     void irradiance(Interaction& at);
 
     /// Rays traced so far: primary, secondary and shadow rays.
-    std::uint64_t ray_count() const { return ray_count_; }
+    std::uint64_t ray_count() const { return rays_.total(); }
+    const RayCounts& rays() const { return rays_; }
     void set_observer(RayObserver* observer, ShadowRays shadows = ShadowRays::stopped) {
         observer_ = observer;
         observed_shadows_ = shadows;
@@ -220,7 +222,7 @@ class Tracer {
     RayObserver* observer_ = nullptr;
     ShadowRays observed_shadows_ = ShadowRays::stopped;
     const char* stack_base_ = nullptr;  // where the primary ray under way was started
-    std::uint64_t ray_count_ = 0;
+    RayCounts rays_;
     std::uint64_t bad_values_ = 0;
     std::uint64_t bad_temperatures_ = 0;
 

@@ -51,6 +51,18 @@ TEST_F(Rtrace, prints_values_as_radiance_does) {
     EXPECT_EQ(result.err, "");
 }
 
+// Two rays to the floor: each has a shadow ray, one to the lobe, and four over the hemisphere, which meet the
+// sky or the lamp.
+TEST_F(Rtrace, counts_rays_by_kind) {
+    scene(noisy);
+    const Outcome result = rtrace("-h -w- -stats -ab 1 -aa 0 -ad 4 -as 0 -st 0 -ss 1 -lw 1e-6",
+                                  "0 0 3 .6 0 -.8\n1 0 3 .6 0 -.8\n");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err, "rtrace: 14 rays: 2 primary, 2 shadow, 8 ambient, 2 rough specular\n");
+    const Outcome cached = rtrace("-h -w- -stats -ab 1 -aa .1 -ad 64 -as 0", "0 0 3 .6 0 -.8\n");
+    EXPECT_NE(cached.err.find("; 1 values in the irradiance cache\n"), std::string::npos) << cached.err;
+}
+
 TEST_F(Rtrace, prints_a_miss_as_radiance_does) {
     scene(ball);
     const Outcome result = rtrace("-h -oLpNsv", "1 2 3 0 0 1\n");

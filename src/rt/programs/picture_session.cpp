@@ -143,10 +143,10 @@ void PictureSession::render(int number, const View& view, const std::optional<Vi
     try {
         if (distribution_)
             distribution_->leader.render(scene, options.render.settings, camera, size, workers_, progress,
-                                         partial.frame, checkpoint, faults_);
+                                         partial.frame, checkpoint, report_);
         else
             render_frame(scene, options.render.settings, camera, size, workers_, progress, partial.frame,
-                         &checkpoint, faults_);
+                         &checkpoint, report_);
         throw_if_interrupted();
     } catch (const Error&) {
         if (!interrupted()) throw;
@@ -157,7 +157,7 @@ void PictureSession::render(int number, const View& view, const std::optional<Vi
         Tracer tracer(scene, options.render.settings, options.render.settings.seed);
         tracer.use_irradiance_cache(cache_);
         paint_small_sources(small_sources, camera.view, tracer, size.first_row, partial.frame);
-        faults_.add(tracer);
+        report_.add(tracer);
     }
     if (cache_) cache_->flush();
 

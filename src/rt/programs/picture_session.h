@@ -49,8 +49,11 @@ class PictureSession {
     /// Whether it returns something.
     bool has_own(int number, const View& view, const std::optional<View>& previous) const;
 
-    /// Warns of what went wrong while rays were traced.
-    void report_faults() const { faults_.report(warn_); }
+    /// Warns of what went wrong while rays were traced, and prints what -stats asks for.
+    void report() const {
+        report_.warn_of_faults(warn_);
+        report_.print_statistics(program_, options_.render, cache_);
+    }
 
   private:
     std::string fingerprint_of(const View& view, const std::optional<View>& previous) const;
@@ -65,7 +68,7 @@ class PictureSession {
     const std::string& command_line_;
     const WarningSink& warn_;
     Workers workers_;
-    TracerFaults faults_;
+    TracerReport report_;
 };
 
 }  // namespace infra

@@ -9,6 +9,7 @@
 #include "common/error.h"
 #include "common/format.h"
 #include "common/version.h"
+#include "rt/ambient/irradiance_cache.h"
 #include "scene/octree_file.h"
 
 namespace infra {
@@ -63,22 +64,24 @@ WarningSink warning_sink(const std::string& program, const RenderOptions& option
     return options.warnings ? print_warnings(program) : no_warnings();
 }
 
-void TracerFaults::add(Tracer& tracer) {
+void TracerReport::add(Tracer& tracer) {
     const std::uint64_t faults = tracer.evaluator().fault_count();
-    add({.bad_values = tracer.bad_values(),
+    add({.rays = tracer.rays(),
+         .bad_values = tracer.bad_values(),
          .bad_temperatures = tracer.bad_temperatures(),
          .function_faults = faults,
          .last_function_fault = faults > 0 ? tracer.evaluator().last_fault() : std::string()});
 }
 
-void TracerFaults::add(const TracerFaults& more) {
+void TracerReport::add(const TracerReport& more) {
+    rays.add(more.rays);
     bad_values += more.bad_values;
     bad_temperatures += more.bad_temperatures;
     function_faults += more.function_faults;
     if (more.function_faults > 0) last_function_fault = more.last_function_fault;
 }
 
-void TracerFaults::report(const WarningSink& warn) const {
+void TracerReport::warn_of_faults(const WarningSink& warn) const {
     if (bad_values > 0)
         warn(formatted("%llu radiances were not finite and count as 0",
                        static_cast<unsigned long long>(bad_values)));
@@ -91,6 +94,28 @@ void TracerFaults::report(const WarningSink& warn) const {
             formatted("%llu function values were undefined, and their patterns, textures or mixtures left "
                       "out; one of them: %s",
                       static_cast<unsigned long long>(function_faults), last_function_fault.c_str()));
+}
+
+void TracerReport::print_statistics(const std::string& program, const RenderOptions& options,
+                                    const IrradianceCache* cache) const {
+    if (!options.statistics) return;
+    struct Sort {
+        unsigned kinds;
+        const char* name;
+    };
+    constexpr Sort sorts[] = {{primary_ray, "primary"},   {shadow_rays, "shadow"},
+                              {ambient_rays, "ambient"},  {lobe_rays, "rough specular"},
+                              {mirrored_ray, "mirrored"}, {through_ray, "through"}};
+    std::string text = formatted("%llu rays", static_cast<unsigned long long>(rays.total()));
+    const char* before = ": ";
+    for (const Sort& sort : sorts) {
+        const std::uint64_t count = rays.of_kinds(sort.kinds);
+        if (count == 0) continue;
+        text += formatted("%s%llu %s", before, static_cast<unsigned long long>(count), sort.name);
+        before = ", ";
+    }
+    if (cache) text += formatted("; %zu values in the irradiance cache", cache->size());
+    std::fprintf(stderr, "%s: %s\n", program.c_str(), text.c_str());
 }
 
 }  // namespace infra

@@ -37,16 +37,21 @@ void redirect_messages(const std::string& path, const std::string& command_line)
 /// Warnings as the program's options want them.
 WarningSink warning_sink(const std::string& program, const RenderOptions& options);
 
-/// Things that went wrong while rays were traced, and how often.
-struct TracerFaults {
+/// What tracers have done, and things that went wrong, and how often.
+struct TracerReport {
+    RayCounts rays;
     std::uint64_t bad_values = 0;  ///< radiances that were not finite
     std::uint64_t bad_temperatures = 0;
     std::uint64_t function_faults = 0;  ///< domain errors in functions
     std::string last_function_fault;
 
     void add(Tracer& tracer);
-    void add(const TracerFaults& more);
-    void report(const WarningSink& warn) const;
+    void add(const TracerReport& more);
+    /// Warns of what went wrong.
+    void warn_of_faults(const WarningSink& warn) const;
+    /// With -stats, says on stderr what was done.
+    void print_statistics(const std::string& program, const RenderOptions& options,
+                          const IrradianceCache* cache) const;
 };
 
 }  // namespace infra

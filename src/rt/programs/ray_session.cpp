@@ -27,6 +27,7 @@ class RaySession {
     RaySession(const CompiledScene& scene, IrradianceCache* cache, const RtraceOptions& options,
                const OutputSpec& spec, std::FILE* input, std::FILE* output)
         : scene_(scene),
+          cache_(cache),
           options_(options),
           spec_(spec),
           converter_(options.color, scene.channels()),
@@ -55,9 +56,10 @@ class RaySession {
                            input_.fault().c_str()));
         if (rays_read_ < limit) warn("unexpected EOF on input");
         if (std::fflush(output_) != 0 || std::ferror(output_)) fail();
-        TracerFaults faults;
-        for (const auto& tracer : tracers_) faults.add(*tracer);
-        faults.report(warn);
+        TracerReport report;
+        for (const auto& tracer : tracers_) report.add(*tracer);
+        report.warn_of_faults(warn);
+        report.print_statistics("rtrace", options_.render, cache_);
     }
 
   private:
@@ -136,6 +138,7 @@ class RaySession {
     }
 
     const CompiledScene& scene_;
+    const IrradianceCache* cache_;
     const RtraceOptions& options_;
     const OutputSpec& spec_;
     const ValueConverter converter_;

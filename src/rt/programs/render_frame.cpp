@@ -21,7 +21,7 @@ Frame empty_frame(int width, int height, bool with_depth, bool with_error, const
 
 void render_frame(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
                   const FrameOptions& options, Workers& workers, Progress& progress, Frame& frame,
-                  Checkpoint* checkpoint, TracerFaults& faults) {
+                  Checkpoint* checkpoint, TracerReport& report) {
     if (options.first_row >= options.height) return;
     const SampleGrid grid(options.width, options.height, options.sample_spacing, options.first_row);
     std::vector<std::unique_ptr<FramePainter>> painters;
@@ -38,7 +38,7 @@ void render_frame(const CompiledScene& scene, const RenderSettings& settings, co
             if (checkpoint) checkpoint->write_if_due();
         });
     }
-    for (const auto& painter : painters) faults.add(painter->tracer());
+    for (const auto& painter : painters) report.add(painter->tracer());
 }
 
 }  // namespace infra

@@ -18,10 +18,10 @@ Frame empty_frame(int width, int height, bool with_depth, bool with_error, const
 ///             whose work was interrupted at any moment becomes what it would have become.
 ///   progress  counts the pixels below first_row
 ///   checkpoint  brought up to date on the way, if it is not nullptr
-///   faults    what went wrong on the way is added
+///   report    what was done, and went wrong, is added
 ///   throws    Error "interrupted" after a signal
 void render_frame(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
                   const FrameOptions& options, Workers& workers, Progress& progress, Frame& frame,
-                  Checkpoint* checkpoint, TracerFaults& faults);
+                  Checkpoint* checkpoint, TracerReport& report);
 
 }  // namespace infra

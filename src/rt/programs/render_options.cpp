@@ -327,6 +327,7 @@ void add_render_options(OptionTable& table, RenderOptions& options) {
 
 void add_last_rows(OptionTable& table, RenderOptions& options) {
     add_seed_row(table, options.settings);
+    table.toggle("-stats", &options.statistics, "count of rays by kind, on stderr").unlisted().ours();
     add_refused_rows(table);
 }
 

@@ -16,6 +16,7 @@ struct RenderOptions {
     std::string error_file;                       ///< -e without a definition: stderr goes there
     std::string persist_file;                     ///< -P, -PP; empty: none
     bool warnings = true;                         ///< -w
+    bool statistics = false;                      ///< -stats
     int channel_count = 3;                        ///< -cs
     double wavelength_ends[2] = {0, 0};           ///< -cw, nm; 0: not given
 

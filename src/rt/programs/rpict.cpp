@@ -73,7 +73,7 @@ void check(const RpictOptions& options, const std::vector<std::string>& operands
 }
 
 /// Options that do not change a picture, and may differ when one goes on with what another has left.
-constexpr std::string_view harmless_options[] = {"-n", "-t", "-w", "-ck"};
+constexpr std::string_view harmless_options[] = {"-n", "-t", "-w", "-ck", "-stats"};
 /// Options that name files which are no input, besides.
 constexpr std::string_view output_options[] = {"-n",     "-t", "-w",  "-ck", "-o", "-z", "-se",
                                                "-split", "-r", "-ro", "-af", "-P", "-PP"};
@@ -229,7 +229,7 @@ int render_pictures(int argc, char** argv, Team* team) {
             render_sequence(session, options, channels, warn);
         else
             render_one(session, options, channels, warn);
-        session.report_faults();
+        session.report();
     } catch (const Error&) {
         if (!interrupted()) part();
         throw;

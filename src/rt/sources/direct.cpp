@@ -161,7 +161,7 @@ bool Tracer::test_shadow(Contribution& contribution, const Interaction& at) {
         const Geometry::View view =
             scene_.geometry().view(ray.origin, ray.direction, contribution.distance, ray.leaving);
         if (view == Geometry::View::blocked || (view == Geometry::View::clear && ends_here)) {
-            ++ray_count_;
+            rays_.count(ray.kind);
             if (observer_ && view == Geometry::View::clear) show_arrival(ray);
             return view == Geometry::View::clear;
         }

@@ -52,7 +52,7 @@ struct TeamFrame : testing::Test {
         Camera camera = camera_of(options, options.view, std::nullopt);
         EXPECT_EQ(pass_small_sources(*loaded.scene, options, frame_size, camera).size(), 1U);
         Progress progress("test", width * height, 0, false);
-        TracerFaults faults;
+        TracerReport faults;
         const RenderSettings& settings = options.render.settings;
         if (size == 0) {
             Workers workers(threads);

@@ -63,7 +63,7 @@ void do_frame(Team& team, const CompiledScene& scene, const RpictOptions& option
         do_pass(team, work, pass, frame);
     }
     if (cache) cache->flush();
-    send_report(team, Report::done, [&](MessageWriter& out) { put_faults(out, work.faults()); });
+    send_report(team, Report::done, [&](MessageWriter& out) { put_report(out, work.report()); });
 }
 
 }  // namespace

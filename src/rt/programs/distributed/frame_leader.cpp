@@ -156,21 +156,21 @@ void FrameLeader::share(const Frame& frame, const std::vector<std::uint64_t>& pi
     team_.broadcast(bytes);
 }
 
-void FrameLeader::wait_until_done(TracerFaults& faults) {
+void FrameLeader::wait_until_done(TracerReport& report) {
     for (int others = team_.size() - 1; others > 0; --others) {
         const Team::Message message = early_.empty() ? wait_for_message(team_) : std::move(early_.front());
         if (!early_.empty()) early_.pop_front();
         MessageReader in(message.bytes);
-        const auto report = in.get<Report>();
-        if (report == Report::failure) throw_failure(in, message.from);
-        if (report != Report::done) throw Error("a rank has not ended", {}, Severity::internal);
-        faults.add(take_faults(in));
+        const auto sort = in.get<Report>();
+        if (sort == Report::failure) throw_failure(in, message.from);
+        if (sort != Report::done) throw Error("a rank has not ended", {}, Severity::internal);
+        report.add(take_report(in));
     }
 }
 
 void FrameLeader::render(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
                          const FrameOptions& options, Workers& workers, Progress& progress, Frame& frame,
-                         Checkpoint& checkpoint, TracerFaults& faults) {
+                         Checkpoint& checkpoint, TracerReport& report) {
     if (options.first_row >= options.height) return;
     checkpoint.write();
     const FrameJob job{.view = camera.view,
@@ -186,15 +186,15 @@ void FrameLeader::render(const CompiledScene& scene, const RenderSettings& setti
     FrameWork work(scene, settings, camera, options, workers, frame);
     try {
         do_passes(work, progress, frame, checkpoint);
-        wait_until_done(faults);
+        wait_until_done(report);
     } catch (...) {
         checkpoint.write_if_possible();
         throw;
     }
     idle_ = true;
-    faults.add(work.faults());
+    report.add(work.report());
     Progress silent(std::string(), 0, 0, false);
-    render_frame(scene, settings, camera, options, workers, silent, frame, nullptr, faults);
+    render_frame(scene, settings, camera, options, workers, silent, frame, nullptr, report);
 }
 
 void FrameLeader::do_passes(FrameWork& work, Progress& progress, Frame& frame, Checkpoint& checkpoint) {

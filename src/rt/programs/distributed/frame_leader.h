@@ -27,7 +27,7 @@ class FrameLeader {
     ///   throws      Error for what happens on any rank; the team is then beyond use
     void render(const CompiledScene& scene, const RenderSettings& settings, const Camera& camera,
                 const FrameOptions& options, Workers& workers, Progress& progress, Frame& frame,
-                Checkpoint& checkpoint, TracerFaults& faults);
+                Checkpoint& checkpoint, TracerReport& report);
 
     /// Tells the others that there are no more frames.
     void dismiss();
@@ -39,7 +39,7 @@ class FrameLeader {
     class PassWork;
     void do_passes(FrameWork& work, Progress& progress, Frame& frame, Checkpoint& checkpoint);
     void share(const Frame& frame, const std::vector<std::uint64_t>& pixels);
-    void wait_until_done(TracerFaults& faults);
+    void wait_until_done(TracerReport& report);
 
     Team& team_;
     std::deque<Team::Message> early_;  // reports of ranks that are done while others are not

@@ -15,10 +15,10 @@ void FrameWork::fill_lines() {
                 [&](int number, int worker) { painters[worker]->paint(Pass::lines, tiles[number]); });
 }
 
-TracerFaults FrameWork::faults() const {
-    TracerFaults faults;
-    for (const auto& painter : painters) faults.add(painter->tracer());
-    return faults;
+TracerReport FrameWork::report() const {
+    TracerReport report;
+    for (const auto& painter : painters) report.add(painter->tracer());
+    return report;
 }
 
 }  // namespace infra

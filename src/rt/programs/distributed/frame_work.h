@@ -23,7 +23,7 @@ struct FrameWork {
     void fill_lines();
 
     /// What has gone wrong on this rank.
-    TracerFaults faults() const;
+    TracerReport report() const;
 };
 
 }  // namespace infra

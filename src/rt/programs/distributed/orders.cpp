@@ -23,18 +23,20 @@ std::vector<TileResult> take_results(MessageReader& in, Frame& frame) {
     return results;
 }
 
-void put_faults(MessageWriter& out, const TracerFaults& faults) {
-    for (const std::uint64_t count : {faults.bad_values, faults.bad_temperatures, faults.function_faults})
+void put_report(MessageWriter& out, const TracerReport& report) {
+    out.put(report.rays);
+    for (const std::uint64_t count : {report.bad_values, report.bad_temperatures, report.function_faults})
         out.put(count);
-    out.put_text(faults.last_function_fault);
+    out.put_text(report.last_function_fault);
 }
 
-TracerFaults take_faults(MessageReader& in) {
-    TracerFaults faults;
-    for (std::uint64_t* count : {&faults.bad_values, &faults.bad_temperatures, &faults.function_faults})
+TracerReport take_report(MessageReader& in) {
+    TracerReport report;
+    report.rays = in.get<RayCounts>();
+    for (std::uint64_t* count : {&report.bad_values, &report.bad_temperatures, &report.function_faults})
         *count = in.get<std::uint64_t>();
-    faults.last_function_fault = in.get_text();
-    return faults;
+    report.last_function_fault = in.get_text();
+    return report;
 }
 
 }  // namespace infra

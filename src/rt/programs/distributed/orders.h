@@ -18,7 +18,7 @@ enum class Order : std::uint8_t {
 enum class Report : std::uint8_t {
     ready,    ///< for a pass: how many tiles are wanted at a time (follower)
     results,  ///< tiles that are done, and their pixels (follower)
-    done,     ///< with the frame, and its faults (follower)
+    done,     ///< with the frame, and what its tracers say (follower)
     failure   ///< severity and reason: nothing more will come (follower)
 };
 
@@ -26,7 +26,7 @@ void put_results(MessageWriter& out, const std::vector<TileResult>& results, con
 /// Adds the pixels to the frame.
 std::vector<TileResult> take_results(MessageReader& in, Frame& frame);
 
-void put_faults(MessageWriter& out, const TracerFaults& faults);
-TracerFaults take_faults(MessageReader& in);
+void put_report(MessageWriter& out, const TracerReport& report);
+TracerReport take_report(MessageReader& in);
 
 }  // namespace infra

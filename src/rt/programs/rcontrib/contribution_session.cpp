@@ -244,9 +244,10 @@ class ContributionSession {
     }
 
     void report() const {
-        TracerFaults faults;
-        for (const auto& tracer : tracers_) faults.add(*tracer);
-        faults.report(warn_);
+        TracerReport done;
+        for (const auto& tracer : tracers_) done.add(*tracer);
+        done.warn_of_faults(warn_);
+        done.print_statistics("rcontrib", settings_.render, nullptr);
         std::uint64_t undefined = 0, misplaced = 0;
         const ContributionSums *undefined_one = nullptr, *misplaced_one = nullptr;
         for (const auto& sums : sums_) {
