@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -55,23 +56,31 @@ class IrradianceCache {
 
   private:
     struct Entry;
+    struct Chunk;
     struct Node;
+    struct Region;
     struct Query;
+    struct Free {
+        void operator()(std::byte* block) const { std::free(block); }
+    };
 
-    double sum_tree(const Node& node, const Cube& cube, Query& query) const;
-    double sum_entries(const Node& node, Query& query) const;
-    void store(const IrradianceValue& value);  // writer_ is held
-    Node& node_for(const Vec3& point, double reach);
-    std::byte* allocate(std::size_t bytes);
+    double sum_entries(const Node& node, const Query& query) const;
+    double add_entry(const Entry& entry, const Query& query) const;
+    // writer_ is held:
+    void store(const IrradianceValue& value);
+    void list(const Entry& entry, const Region& region, Node& node, const Cube& cube, int depth);
+    void append(const Entry& entry, Node& node);
+    std::byte* allocate(std::size_t bytes, std::size_t alignment);
 
     const Cube cube_;
     const int channels_;
     const CacheLimits limits_;
-    std::unique_ptr<Node> root_;
+    std::unique_ptr<Node> root_;    // a value stands in every cell that it may be of use in
+    std::unique_ptr<Node> around_;  // and here if that may be outside the scene's cube
 
     std::mutex writer_;
     std::unique_ptr<AmbientFile> file_;
-    std::vector<std::unique_ptr<std::byte[]>> blocks_;  // values and nodes, never moved
+    std::vector<std::unique_ptr<std::byte, Free>> blocks_;  // values and cells, never moved
     std::size_t block_used_ = 0;
     double log_sum_ = 0;
     std::atomic<std::size_t> size_ = 0;
