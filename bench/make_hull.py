@@ -5,7 +5,8 @@
 
 A hull of 120 m with dented plating, a deck, a superstructure of plated blocks, two funnels and a mast. x points to the
 bow, z up, the waterline is z = 0. Materials are plastic, metal and, for the funnels, glow; with --infrared they are
-`emissive` instead. With --obj the triangles come as OBJ instead, vertices shared. --detail scales the number of triangles along each edge.
+`emissive` instead. With --obj the same triangles come as OBJ, their vertices shared. --detail scales the number of
+triangles along each edge.
 """
 import argparse
 import math
