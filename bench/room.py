@@ -19,7 +19,7 @@ from timing import timed
 USUAL = "-ad 512 -as 128"
 CACHE = "-ab 3 -aa .1 -ar 64 -lr 8 -lw 1e-5 -dj 0".split()
 # Ours at other numbers of rays, to find the cheapest that is not worse than RADIANCE at its own.
-OTHERS = ("-ad 256 -as 64", "-ad 384 -as 96", "-ad 448 -as 112")
+OTHERS = ("-ad 256 -as 64", "-ad 384 -as 96", "-ad 448 -as 112", "-ad 480 -as 120")
 # Paths, some of them guided to the panels, that end by roulette alone; all those of a pixel start through its middle.
 CONVERGED = "-ab 3 -aa 0 -ad 1 -as 0 -gs 8 -spp 2048 -lr 0 -lw 1e-3 -dj 0 -pj 0 -ps 1 -pa 0".split()
 SEEDS = (7, 8)
@@ -75,7 +75,8 @@ def converged(ours, scene, folder):
 
 
 class Contender:
-    """A program with options: what its runs cost, and how far their values are off."""
+    """A program with options: what its runs cost, and how far their values are off. Efficiency is 1 / (RMSE^2 x
+    seconds)."""
 
     def __init__(self, programs, options):
         self.programs, self.options, self.costs = programs, options, []
@@ -108,7 +109,10 @@ class Contender:
         return self.error <= other.error and abs(self.bias) <= MOST_BIAS
 
     def line(self, other):
-        ratio = f"{other.seconds / self.seconds:7.2f}x" if other else ""
+        ratio = ""
+        if other:
+            efficiency = (other.error / self.error) ** 2 * other.seconds / self.seconds
+            ratio = f"{other.seconds / self.seconds:7.2f}x{efficiency:12.2f}"
         return (f"{self.programs.label:10}{self.options:26}{self.seconds:8.2f}{max(c.peak for c in self.costs):7.0f}"
                 f"{100 * self.bias:+10.3f}{100 * self.error:10.3f}{ratio}")
 
@@ -123,7 +127,7 @@ def compare_room(ours, theirs, runs, scale, folder):
     reference, noise = converged(ours, scene, folder)
     print(f"\nroom, {scene.size[0]} x {scene.size[1]} rays, {' '.join(CACHE)}\nerrors against a converged picture; the "
           f"{100 * noise:.2f} % of noise in it are taken off the RMSE\n{'program':10}{'options':26}{'s':>8}{'MB':>7}"
-          f"{'bias %':>10}{'RMSE %':>10}{'ratio' if theirs else '':>8}".rstrip(), flush=True)
+          f"{'bias %':>10}{'RMSE %':>10}" + (f"{'ratio':>8}{'efficiency':>12}" if theirs else ""), flush=True)
     radiance = Contender(theirs, USUAL) if theirs else None
     own = [Contender(ours, options) for options in (USUAL, *OTHERS)]
     everybody = list(filter(None, [radiance, *own]))
