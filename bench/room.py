@@ -83,7 +83,7 @@ class Contender:
         self.biases, self.squares = [], []
 
     def run(self, scene, folder, reference, noise, seed):
-        """Each run of ours draws other rays; RADIANCE's runs are all alike."""
+        """Each run draws other rays: ours by -seed, RADIANCE of itself."""
         options = [*scene.options, *self.options.split()] + (["-seed", str(seed)] if self.programs.label == "ours" else [])
         task = Task("room", "rtrace", ["-h", "-w-", "-fff", "-ov", *options, "room.{label}.oct"], "raw", scene.rays,
                     read_floats)
