@@ -79,9 +79,9 @@ void time_rays(benchmark::State& state, const RaySet& set, Ask&& ask) {
 
 template <class Ask>
 void add(const std::string& name, const RaySet& set, Ask ask) {
-    benchmark::RegisterBenchmark((name + "/" + set.name).c_str(),
-                                 [&set, ask](benchmark::State& state) { time_rays(state, set, ask); })
-        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((name + "/" + set.name).c_str(), [&set, ask](benchmark::State& state) {
+        time_rays(state, set, ask);
+    })->Unit(benchmark::kMillisecond);
 }
 
 void add_benchmarks(TestScene& scene) {

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Writes a ship of about 200 000 triangles as .rad text to standard output: bench scene, the same on every run.
 
-    make_hull.py [--detail 1] [--infrared]
+    make_hull.py [--detail 1] [--infrared | --obj]
 
 A hull of 120 m with dented plating, a deck, a superstructure of plated blocks, two funnels and a mast. x points to the
 bow, z up, the waterline is z = 0. Materials are plastic, metal and, for the funnels, glow; with --infrared they are
-`emissive` instead. --detail scales the number of triangles along each edge.
+`emissive` instead. With --obj the same triangles come as OBJ, their vertices shared. --detail scales the number of
+triangles along each edge.
 """
 import argparse
 import math
+import os
 import random
 import sys
 
@@ -32,19 +34,35 @@ void emissive hot 1 paint_0 0 3 90 90 90
 
 
 class Writer:
-    """Triangles with coordinates in millimetres, as short as text allows."""
+    """Triangles with coordinates in millimetres, as short as text allows; to `obj`, if given, as OBJ too."""
 
-    def __init__(self, out):
-        self.out = out
+    def __init__(self, out, obj=None):
+        self.out, self.obj = out, obj
         self.count = 0
+        self.material = None
+        self.vertices = {}
 
     def triangle(self, material, *corners):
         a, b, c = ([round(x, 3) for x in corner] for corner in corners)
         if a == b or b == c or c == a:      # the hull closes to a line at the stem
             return
-        text = " ".join(f"{x:g}" for corner in (a, b, c) for x in corner)
-        self.out.write(f"{material} polygon t{self.count} 0 0 9 {text}\n")
+        places = [" ".join(f"{x:g}" for x in corner) for corner in (a, b, c)]
+        self.out.write(f"{material} polygon t{self.count} 0 0 9 {' '.join(places)}\n")
         self.count += 1
+        if self.obj:
+            self.face(material, places)
+
+    def face(self, material, places):
+        numbers = []
+        for place in places:
+            if place not in self.vertices:
+                self.vertices[place] = len(self.vertices) + 1
+                self.obj.write(f"v {place}\n")
+            numbers.append(self.vertices[place])
+        if material != self.material:
+            self.material = material
+            self.obj.write(f"usemtl {material}\n")
+        self.obj.write("f {} {} {}\n".format(*numbers))
 
     def grid(self, material, surface, columns, rows):
         """Two triangles a cell of surface(u, v), u and v in 0..1, the normal along du x dv."""
@@ -113,11 +131,12 @@ def tube(x, y, r0, r1, z0, z1):
     return surface
 
 
-def write_ship(out, detail, infrared):
+def write_ship(out, detail, infrared, obj=None):
+    """Returns the number of triangles; without area there is none."""
     cells = lambda count: max(1, round(count * detail))
     out.write("# A ship for the bench, written by make_hull.py. Metres, z up, bow along x.\n")
     out.write(INFRARED if infrared else PLAIN)
-    writer = Writer(out)
+    writer = Writer(out, obj)
     generator = random.Random(20)
     dent = lambda: generator.uniform(-0.01, 0.01)
     for side in (-1, 1):
@@ -137,9 +156,15 @@ def write_ship(out, detail, infrared):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--detail", type=float, default=1.0)
-    parser.add_argument("--infrared", action="store_true")
+    kind = parser.add_mutually_exclusive_group()
+    kind.add_argument("--infrared", action="store_true")
+    kind.add_argument("--obj", action="store_true")
     options = parser.parse_args()
-    count = write_ship(sys.stdout, options.detail, options.infrared)
+    if options.obj:
+        with open(os.devnull, "w", encoding="ascii") as nothing:
+            count = write_ship(nothing, options.detail, False, sys.stdout)
+    else:
+        count = write_ship(sys.stdout, options.detail, options.infrared)
     print(f"make_hull: {count} triangles", file=sys.stderr)
 
 
