@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace infra {
@@ -36,6 +37,16 @@ struct LargePageAllocator {
             ::operator delete (memory, std::align_val_t{alignof(T)});
         else
             std::free(memory);
+    }
+    /// What vectors do to new elements of no given value: nothing if they are plain, so that no page is
+    /// touched.
+    template <class U>
+    void construct(U* place) {
+        ::new (static_cast<void*>(place)) U;
+    }
+    template <class U, class... Arguments>
+    void construct(U* place, Arguments&&... arguments) {
+        ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
     }
     bool operator==(const LargePageAllocator&) const { return true; }
 };

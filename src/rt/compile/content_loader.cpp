@@ -63,11 +63,11 @@ const Geometry& ContentLoader::content(const Scene& scene, PrimitiveId id) {
     auto made = std::make_unique<Geometry>(context_.surfaces, Geometry::Role::content);
     if (type == PrimitiveType::mesh) {
         compile_mesh(read(scene, id, [&] { return load_mesh(name, warnings()); }), name, *made);
+        made->build();
     } else {
         compile_octree(read(scene, id, [&] { return load_octree(*path, warnings()).scene; }), *path, *made);
     }
     --depth_;
-    made->build();
     entry->second = made.get();
     context_.contents.push_back(std::move(made));
     return *entry->second;
@@ -79,8 +79,9 @@ void ContentLoader::compile_octree(Scene scene, const std::string& path, Geometr
     finish_surfaces(context_, part, range);
     add_shapes(context_, part, range, geometry);
     warn_of_sources(path, part, range);
-    part.text.release_geometry_arguments();
     place(part, range, geometry);
+    geometry.build();
+    part.text.release_geometry_arguments();
 }
 
 // A mesh has no surfaces by name. RADIANCE calls them all "M-Tri"; there is one for each material.

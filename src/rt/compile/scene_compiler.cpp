@@ -50,10 +50,11 @@ class SceneCompiler {
         add_shapes(context_, part, surfaces, out_.geometry_);
         make_sources();  // before the contents of instances come, which add none
         const std::vector<RelaySurface> relays = find_relays(scene_, out_.surfaces_, out_.warnings_);
-        out_.parts_.front().text.release_geometry_arguments();
         ContentLoader(context_).place(part, surfaces, out_.geometry_);
         mark_cut_finishes();
         out_.geometry_.build();
+        out_.parts_.front().text.release_geometry_arguments();
+        for (const LightSource& source : out_.sources_) check_center(source);
         out_.program_ = std::make_unique<cal::Program>(context_.functions.link());
         WardParameters white{Spectrum(out_.channel_count(), 3.14159265358979f)};
         if (!settings_.air_path.empty())
@@ -122,7 +123,6 @@ class SceneCompiler {
             if (material == finish.modifier && !material->next() && material->traits()->is_light &&
                 (emitter->kind() == Emitter::Kind::light || emitter->kind() == Emitter::Kind::glow))
                 source.even_radiance = &emitter->radiance();
-            if (!distant) check_center(source);
             indirect = indirect || (source.skip && settings_.ambient_bounces > 0);
             surface.source = static_cast<int>(out_.sources_.size());
             if (distant) out_.distant_.push_back(surface.source);

@@ -10,6 +10,8 @@ namespace infra {
 namespace {
 
 constexpr int most_bins = 16;
+constexpr std::size_t few_items = 64;  // for which half the bins do
+constexpr std::size_t sampled_items = 256;   // as many stand for all of a range of twice as many or more
 constexpr std::size_t triangles_a_leaf = 8;
 constexpr std::size_t others_a_leaf = 1;  // no cheap test goes before theirs but that of the box
 // From this depth of the binary tree on, ranges are halved, so that it ends before depth 60 and a walk's
@@ -34,9 +36,17 @@ struct FloatBox {
     Float4 lo = {inf, inf, inf, inf};
     Float4 hi = {-inf, -inf, -inf, -inf};
 
+    // What is no number in the other box, is left out.
     void extend(const FloatBox& other) {
         lo = other.lo < lo ? other.lo : lo;
         hi = other.hi > hi ? other.hi : hi;
+    }
+    /// This box, or what is no number.
+    FloatBox only_if(const Int4& mask) const {
+        const auto all_bits_if_not = [&mask](const Float4& numbers) {
+            return std::bit_cast<Float4>(std::bit_cast<Int4>(numbers) | ~mask);
+        };
+        return {all_bits_if_not(lo), all_bits_if_not(hi)};
     }
     float half_area() const {
         if (lo[0] > hi[0]) return 0;
@@ -46,6 +56,46 @@ struct FloatBox {
 };
 
 FloatBox box_of(const Bvh::Item& item) { return {load(item.lo), load(item.hi)}; }
+
+/// Boxes of three axes' halves of a range, and their half areas by axis.
+struct ThreeBoxes {
+    FloatBox box[3];
+
+    void extend(const FloatBox (&others)[3]) {
+        for (int axis = 0; axis < 3; ++axis) box[axis].extend(others[axis]);
+    }
+    /// Of no meaning for empty boxes.
+    Float4 half_areas() const {
+        const Float4 a = box[0].hi - box[0].lo, b = box[1].hi - box[1].lo, c = box[2].hi - box[2].lo;
+        const Float4 x = {a[0], b[0], c[0], 0}, y = {a[1], b[1], c[1], 0}, z = {a[2], b[2], c[2], 0};
+        return x * y + y * z + z * x;
+    }
+};
+
+/// Around the centres of items, all coordinates doubled.
+struct Centers {
+    FloatBox centers;
+
+    void extend(const FloatBox& item) {
+        const Float4 center = item.lo + item.hi;
+        centers.extend({center, center});
+    }
+};
+
+/// Around items and their centres.
+struct Extent : Centers {
+    FloatBox box;
+
+    void extend(const FloatBox& item) {
+        Centers::extend(item);
+        box.extend(item);
+    }
+    void extend(const Centers& others) { centers.extend(others.centers); }
+    void extend(const Extent& others) {
+        centers.extend(others.centers);
+        box.extend(others.box);
+    }
+};
 
 /// Which of the bins along each axis the centre of an item lies in.
 struct Binning {
@@ -58,9 +108,26 @@ struct Binning {
         }
     }
     Int4 operator()(const FloatBox& box) const {
-        return __builtin_convertvector(((box.lo + box.hi) * 0.5f - low) * scale, Int4);
+        return __builtin_convertvector((box.lo + box.hi - low) * scale, Int4);
+    }
+    /// Where along one axis, in bins.
+    float operator()(const Bvh::Item& item, int axis) const {
+        return (item.lo[axis] + item.hi[axis] - low[axis]) * scale[axis];
     }
 };
+
+/// The next number towards infinity.
+float next_above(float x) {
+    if (x == 0) return std::numeric_limits<float>::denorm_min();
+    return std::bit_cast<float>(std::bit_cast<std::int32_t>(x) + (x > 0 ? 1 : -1));
+}
+
+double power_of_two(int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
+/// Of the largest power of two that is no larger than x; x must be positive and not tiny.
+int exponent_of(double x) { return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1023; }
 
 constexpr int least_exponent = -100;  // of steps
 
@@ -70,12 +137,12 @@ struct Steps {
     int exponent;
 
     Steps(double lo, double hi, int count) : origin(static_cast<float>(lo)) {
-        if (origin > lo) origin = std::nextafter(origin, -inf);
+        if (origin > lo) origin = -next_above(-origin);
         const double step = (hi - origin) / count;
-        exponent = step > 0 ? std::max(std::ilogb(step), least_exponent) : least_exponent;
-        if (std::ldexp(static_cast<double>(count), exponent) < hi - origin) ++exponent;
+        exponent = step > 0 ? std::max(exponent_of(step), least_exponent) : least_exponent;
+        if (count * power_of_two(exponent) < hi - origin) ++exponent;
     }
-    double in_steps(double x) const { return std::ldexp(x - origin, -exponent); }
+    double per_unit() const { return power_of_two(-exponent); }
     std::uint8_t biased_exponent() const { return static_cast<std::uint8_t>(exponent + 127); }
 };
 
@@ -84,17 +151,31 @@ struct Steps {
 struct Bvh::Builder {
     struct Range {
         std::size_t begin, end;
-        FloatBox box;
+        Extent extent;
         int depth;
+        float half_area;
+
+        Range() = default;
+        Range(std::size_t first, std::size_t behind, const Extent& items_extent, int range_depth)
+            : begin(first),
+              end(behind),
+              extent(items_extent),
+              depth(range_depth),
+              half_area(items_extent.box.half_area()) {}
         std::size_t size() const { return end - begin; }
+    };
+
+    /// Where to part a range: at a border of bins along an axis.
+    struct Place {
+        int axis = -1;  ///< none: it is to be halved
+        int bin = 0;    ///< the last that belongs to the left part
     };
 
     Bvh& bvh;
     LargeVector<Item>& items;
     std::size_t triangle_count;
-    const Triangles& triangle;
+    LeafTriangles& triangles;
     double pad;
-    std::vector<std::uint32_t> order;  // of the triangles
 
     bool mixed(const Range& range) const {
         return range.begin < triangle_count && range.end > triangle_count;
@@ -104,82 +185,128 @@ struct Bvh::Builder {
                !mixed(range);
     }
 
+    Extent extent_of(std::size_t begin, std::size_t end) const {
+        Extent extent;
+        for (std::size_t i = begin; i < end; ++i) extent.extend(box_of(items[i]));
+        return extent;
+    }
+
     // Splits a range in two by the surface area heuristic; false if it had better stay a leaf.
     bool split(const Range& range, Range& left, Range& right) {
         if (is_leaf(range)) return false;
-        left = {range.begin, range.begin, {}, range.depth + 1};
-        right = {range.end, range.end, {}, range.depth + 1};
-        left.end = right.begin = mixed(range) ? triangle_count : place_to_split(range);
-        for (std::size_t i = left.begin; i < left.end; ++i) left.box.extend(box_of(items[i]));
-        for (std::size_t i = right.begin; i < right.end; ++i) right.box.extend(box_of(items[i]));
+        const auto split_at = [&](std::size_t middle) {
+            left = {range.begin, middle, extent_of(range.begin, middle), range.depth + 1};
+            right = {middle, range.end, extent_of(middle, range.end), range.depth + 1};
+        };
+        if (mixed(range)) {
+            split_at(triangle_count);
+            return true;
+        }
+        const int bins = range.size() < few_items ? most_bins / 2 : most_bins;
+        const Binning bin(range.extent.centers, bins);
+        Extent parts[2];
+        const Place place = range.depth < halving_depth ? place_to_split(range, bin, bins, parts) : Place{};
+        if (place.axis < 0) {
+            split_at(range.begin + range.size() / 2);
+            return true;
+        }
+        const std::size_t middle = is_sampled(range) ? part<Extent>(range, bin, place, parts)
+                                                     : part<Centers>(range, bin, place, parts);
+        left = {range.begin, middle, parts[0], range.depth + 1};
+        right = {middle, range.end, parts[1], range.depth + 1};
         return true;
     }
 
-    // Sorts a range's items into two parts and returns where the second begins.
-    std::size_t place_to_split(const Range& range) {
-        if (range.depth >= halving_depth) return range.begin + range.size() / 2;
-        FloatBox centers;
-        for (std::size_t i = range.begin; i < range.end; ++i) {
-            const FloatBox b = box_of(items[i]);
-            const Float4 center = (b.lo + b.hi) * 0.5f;
-            centers.extend({center, center});
-        }
-        const int bins = range.size() < 64 ? most_bins / 2 : most_bins;
-        const Binning bin(centers, bins);
-        FloatBox box[3][most_bins];
-        std::uint32_t count[3][most_bins] = {};
-        for (std::size_t i = range.begin; i < range.end; ++i) {
+    static bool is_sampled(const Range& range) { return range.size() >= 2 * sampled_items; }
+
+    // Also tells the boxes of the two parts unless the range is only sampled.
+    Place place_to_split(const Range& range, const Binning& bin, int bins, Extent* parts) const {
+        FloatBox box[most_bins][3];
+        std::int32_t count[most_bins][4];
+        std::fill_n(count[0], 4 * bins, 0);
+        const std::size_t step = is_sampled(range) ? range.size() / sampled_items : 1;
+        std::int32_t all = 0;
+        for (std::size_t i = range.begin; i < range.end; i += step, ++all) {
             const FloatBox b = box_of(items[i]);
             const Int4 place = bin(b);
             for (int axis = 0; axis < 3; ++axis) {
-                box[axis][place[axis]].extend(b);
-                ++count[axis][place[axis]];
+                box[place[axis]][axis].extend(b);
+                ++count[place[axis]][axis];
             }
         }
-        float best_cost = inf;
-        int best_axis = -1, best_bin = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!(bin.scale[axis] > 0)) continue;
-            float right_cost[most_bins];
-            FloatBox sum;
-            std::size_t n = 0;
-            for (int b = bins - 1; b > 0; --b) {
-                sum.extend(box[axis][b]);
-                n += count[axis][b];
-                right_cost[b] = sum.half_area() * static_cast<float>(n);
-            }
-            sum = FloatBox{};
-            n = 0;
-            for (int b = 0; b < bins - 1; ++b) {
-                sum.extend(box[axis][b]);
-                n += count[axis][b];
-                const float cost = sum.half_area() * static_cast<float>(n) + right_cost[b + 1];
-                if (n > 0 && n < range.size() && cost < best_cost) {
-                    best_cost = cost;
-                    best_axis = axis;
-                    best_bin = b;
-                }
-            }
+        const auto counted = [&count](int b) {
+            Int4 counts;
+            std::memcpy(&counts, count[b], sizeof counts);
+            return counts;
+        };
+        // By axis: a part's half area times the number of its items.
+        Float4 right_cost[most_bins];
+        ThreeBoxes sum;
+        Int4 n = {};
+        for (int b = bins - 1; b > 0; --b) {
+            sum.extend(box[b]);
+            n += counted(b);
+            right_cost[b] = sum.half_areas() * __builtin_convertvector(n, Float4);
         }
-        if (best_axis < 0) return range.begin + range.size() / 2;  // all centres in one place
-        const auto begin = items.begin();
-        const auto middle = std::partition(
-            begin + static_cast<std::ptrdiff_t>(range.begin), begin + static_cast<std::ptrdiff_t>(range.end),
-            [&](const Item& item) { return bin(box_of(item))[best_axis] <= best_bin; });
-        return static_cast<std::size_t>(middle - begin);
+        sum = {};
+        n = Int4{};
+        Float4 best_cost = {inf, inf, inf, inf};
+        Int4 best_bin = {};
+        for (int b = 0; b < bins - 1; ++b) {
+            sum.extend(box[b]);
+            n += counted(b);
+            const Float4 cost = sum.half_areas() * __builtin_convertvector(n, Float4) + right_cost[b + 1];
+            const Int4 better = (n > 0) & (n < all) & (cost < best_cost);
+            best_cost = better ? cost : best_cost;
+            best_bin = better ? Int4{b, b, b, b} : best_bin;
+        }
+        Place best;
+        float least = inf;
+        for (int axis = 0; axis < 3; ++axis)
+            if (best_cost[axis] < least) {
+                least = best_cost[axis];
+                best = {axis, best_bin[axis]};
+            }
+        if (best.axis < 0) return best;  // all centres in one place
+        for (int b = 0; b < bins; ++b) parts[b > best.bin].box.extend(box[b][best.axis]);
+        return best;
+    }
+
+    // Sorts a range's items into two parts and returns where the second begins; adds to what is known of each.
+    template <class Known>
+    std::size_t part(const Range& range, const Binning& bin, Place place, Extent* parts) {
+        const auto border = static_cast<float>(place.bin + 1);
+        const Float4 borders = {border, border, border, border};
+        Known left, right;
+        std::size_t middle = range.begin;
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            const Item item = items[i];
+            const float at = bin(item, place.axis);
+            // Without a branch, which would be taken at random. What it exchanges belongs to the right part.
+            items[i] = items[middle];
+            items[middle] = item;
+            middle += at < border;
+            const Int4 is_left = Float4{at, at, at, at} < borders;
+            const FloatBox box = box_of(item);
+            left.extend(box.only_if(is_left));
+            right.extend(box.only_if(~is_left));
+        }
+        parts[0].extend(left);
+        parts[1].extend(right);
+        return middle;
     }
 
     // Makes the node of a range; returns its index.
     std::uint32_t make_node(const Range& range) {
         constexpr int width = BvhNode::width;
-        Range children[width] = {range};
+        Range children[width];
+        children[0] = range;
         bool closed[width] = {};
         int count = 1;
         while (count < width) {  // open the largest child that can be split
             int largest = -1;
             for (int i = 0; i < count; ++i)
-                if (!closed[i] &&
-                    (largest < 0 || children[i].box.half_area() > children[largest].box.half_area()))
+                if (!closed[i] && (largest < 0 || children[i].half_area > children[largest].half_area))
                     largest = i;
             if (largest < 0) break;
             Range left, right;
@@ -192,6 +319,9 @@ struct Bvh::Builder {
         }
         const std::size_t index = bvh.nodes_.size();
         bvh.nodes_.push_back(packed_boxes(range, children, count));
+        for (int i = 0; i < count; ++i)
+            if (children[i].begin < triangle_count && is_leaf(children[i]))
+                triangles.announce({&items[children[i].begin], children[i].size()});
         for (int i = 0; i < count; ++i) {
             const std::uint32_t child =
                 is_leaf(children[i]) ? make_leaf(children[i]) : make_node(children[i]);
@@ -203,15 +333,19 @@ struct Bvh::Builder {
     BvhNode packed_boxes(const Range& range, const Range* children, int count) const {
         BvhNode node{};
         node.count = static_cast<std::uint8_t>(count);
+        const FloatBox& whole = range.extent.box;
         for (int axis = 0; axis < 3; ++axis) {
-            const Steps steps(double{range.box.lo[axis]} - pad, double{range.box.hi[axis]} + pad, 255);
+            const Steps steps(double{whole.lo[axis]} - pad, double{whole.hi[axis]} + pad, 255);
             node.origin[axis] = steps.origin;
             node.exponent[axis] = steps.biased_exponent();
+            const double per_unit = steps.per_unit();
             for (int i = 0; i < count; ++i) {
-                const double lo = std::floor(steps.in_steps(double{children[i].box.lo[axis]} - pad));
-                const double hi = std::ceil(steps.in_steps(double{children[i].box.hi[axis]} + pad));
-                node.plane[0][axis][i] = static_cast<std::uint8_t>(lo);
-                node.plane[1][axis][i] = static_cast<std::uint8_t>(hi);
+                const FloatBox& box = children[i].extent.box;
+                const double lo = (double{box.lo[axis]} - pad - steps.origin) * per_unit;
+                const double hi = (double{box.hi[axis]} + pad - steps.origin) * per_unit;
+                const auto whole_hi = static_cast<int>(hi);
+                node.plane[0][axis][i] = static_cast<std::uint8_t>(lo);  // none is negative
+                node.plane[1][axis][i] = static_cast<std::uint8_t>(whole_hi + (whole_hi < hi));
             }
         }
         return node;
@@ -222,20 +356,14 @@ struct Bvh::Builder {
         if (range.begin < triangle_count) {
             const std::size_t count = range.size();
             std::array<Vec3, 3> corners[BvhLeaf::largest];
+            const double uncertainty = triangles.place({&items[range.begin], count}, range.begin, corners);
             Bounds box;
-            double uncertainty = 0;
-            for (std::size_t i = 0; i < count; ++i) {
-                const std::uint32_t id = items[range.begin + i].id();
-                order[range.begin + i] = id;
-                const TriangleExtent extent = triangle(id);
-                corners[i] = extent.corners;
-                uncertainty = std::max(uncertainty, extent.uncertainty);
+            for (std::size_t i = 0; i < count; ++i)
                 for (const Vec3& corner : corners[i]) box.extend(corner);
-            }
             BvhLeaf leaf;
             // The kernel takes a step for what a coordinate may be wrong by.
             int exponent =
-                uncertainty > 0 ? std::max(std::ilogb(uncertainty) + 1, least_exponent) : least_exponent;
+                uncertainty > 0 ? std::max(exponent_of(uncertainty) + 1, least_exponent) : least_exponent;
             for (int axis = 0; axis < 3; ++axis) {
                 const Steps steps(box.lo[axis], box.hi[axis], 65535);
                 leaf.origin[axis] = steps.origin;
@@ -243,7 +371,7 @@ struct Bvh::Builder {
             }
             leaf.exponent = static_cast<std::uint16_t>(exponent + 127);
             std::uint16_t* row = leaf.rows;
-            const double steps_per_unit = std::ldexp(1.0, -exponent);
+            const double steps_per_unit = power_of_two(-exponent);
             for (int axis = 0; axis < 3; ++axis)
                 for (std::size_t corner = 0; corner < 3; ++corner)
                     for (std::size_t i = 0; i < count; ++i)
@@ -259,28 +387,27 @@ struct Bvh::Builder {
     }
 };
 
-Bvh::Item::Item(const Bounds& box, std::uint32_t id) {
+Bvh::Item::Item(const Bounds& box, std::uint32_t id, std::uint32_t note) {
     for (int axis = 0; axis < 3; ++axis) {
-        lo[axis] = std::nextafter(static_cast<float>(box.lo[axis]), -inf);
-        hi[axis] = std::nextafter(static_cast<float>(box.hi[axis]), inf);
+        lo[axis] = -next_above(-static_cast<float>(box.lo[axis]));
+        hi[axis] = next_above(static_cast<float>(box.hi[axis]));
     }
     lo[3] = std::bit_cast<float>(id);
-    hi[3] = 0;
+    hi[3] = std::bit_cast<float>(note);
 }
 
-std::vector<std::uint32_t> Bvh::build(LargeVector<Item> triangle_items, const std::vector<Item>& other_items,
-                                      const Triangles& triangle) {
+void Bvh::build(LargeVector<Item> triangle_items, const std::vector<Item>& other_items,
+                LeafTriangles& triangles) {
     const std::size_t item_count = triangle_items.size() + other_items.size();
     if (item_count > BvhLeaf::most_slots) throw Error("too many shapes in one octree");
-    if (item_count == 0) return {};
+    if (item_count == 0) return;
     leaves_ = std::move(triangle_items);
     triangle_count_ = static_cast<std::uint32_t>(leaves_.size());
     leaves_.insert(leaves_.end(), other_items.begin(), other_items.end());
-    Builder builder{*this, leaves_, triangle_count_, triangle, 0, {}};
-    builder.order.resize(triangle_count_);
+    Builder builder{*this, leaves_, triangle_count_, triangles, 0};
     others_.resize(other_items.size());
-    FloatBox whole;
-    for (const Item& item : leaves_) whole.extend(box_of(item));
+    const Extent extent = builder.extent_of(0, item_count);
+    const FloatBox& whole = extent.box;
     double reach = 0;
     Vec3 size;
     for (int axis = 0; axis < 3; ++axis) {
@@ -301,10 +428,9 @@ std::vector<std::uint32_t> Bvh::build(LargeVector<Item> triangle_items, const st
     reach_ = static_cast<float>(reach + 2 * builder.pad);
 
     nodes_.reserve(item_count / 8 + 1);  // more than is needed mostly; what is not touched takes no memory
-    builder.make_node({0, item_count, whole, 0});
+    builder.make_node({0, item_count, extent, 0});
     leaves_.resize(triangle_count_ + 1);  // the kernel loads 16 bytes where fewer are left
     if (!other_items.empty()) leaves_.shrink_to_fit();
-    return std::move(builder.order);
 }
 
 bool Bvh::advance_to_box(const Vec3& origin, const Vec3& direction, double limit, double& enter) const {

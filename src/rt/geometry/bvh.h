@@ -21,8 +21,8 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "common/large_pages.h"
@@ -88,26 +88,33 @@ class Bvh {
     /// What the hierarchy is built of: a number that walk() hands back, and its box rounded outward.
     struct Item {
         Item() = default;
-        Item(const Bounds& box, std::uint32_t id);
+        Item(const Bounds& box, std::uint32_t id, std::uint32_t note = 0);
         std::uint32_t id() const { return std::bit_cast<std::uint32_t>(lo[3]); }
+        /// For whoever made the item.
+        std::uint32_t note() const { return std::bit_cast<std::uint32_t>(hi[3]); }
 
         float lo[4];  ///< the fourth holds the number's bits
         float hi[4];
     };
 
-    struct TriangleExtent {
-        std::array<Vec3, 3> corners;
-        double uncertainty;  ///< the triangle cannot be met farther than this from what is between them
+    /// Whose triangles the leaves hold. It is told in which slots they come to lie.
+    class LeafTriangles {
+      public:
+        virtual ~LeafTriangles() = default;
+        /// The triangles of these items will be placed soon: asks for their memory.
+        virtual void announce(std::span<const Item> items) const = 0;
+        /// Takes note that the triangles of these items have the slots from `first` on.
+        ///   corners  is told theirs
+        ///   returns  how far at most one of them can be met from what is between its corners
+        virtual double place(std::span<const Item> items, std::size_t first,
+                             std::array<Vec3, 3>* corners) = 0;
     };
-    /// By an item's number.
-    using Triangles = std::function<TriangleExtent(std::uint32_t id)>;
 
-    /// Returns the numbers of the triangles' items in the order of the leaves: the triangle in slot i, which
-    /// walk() will call i, was item order[i]. Other items keep their numbers, which must not be below that of
-    /// triangles.
+    /// walk() will call the triangles by their slots. Other items keep their numbers, which must not be below
+    /// that of triangles.
     ///   throws  Error if there are more than 2^28 shapes
-    std::vector<std::uint32_t> build(LargeVector<Item> triangle_items, const std::vector<Item>& other_items,
-                                     const Triangles& triangle);
+    void build(LargeVector<Item> triangle_items, const std::vector<Item>& other_items,
+               LeafTriangles& triangles);
     /// Where what is known of each slot's triangle stands in memory, `size` bytes each, to be asked for in
     /// advance.
     void set_records(const void* first, std::size_t size) {

@@ -1,6 +1,7 @@
 #include "rt/geometry/geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "rt/geometry/bvh_walk.h"
@@ -10,6 +11,10 @@ namespace {
 
 Vec3 vec(std::span<const double> numbers, std::size_t first) {
     return {numbers[first], numbers[first + 1], numbers[first + 2]};
+}
+
+std::array<Vec3, 3> triangle_corners(std::span<const double> numbers) {
+    return {vec(numbers, 0), vec(numbers, 3), vec(numbers, 6)};
 }
 
 // Bounds of a disk of this radius.
@@ -23,38 +28,20 @@ Bounds disk_box(const Vec3& center, const Vec3& axis, double radius) {
     return box;
 }
 
-/// Puts things into this order, given by old places.
-template <class Things>
-void permute(Things& things, std::vector<std::uint32_t> old_place) {
-    for (std::size_t start = 0; start < old_place.size(); ++start) {  // each cycle of the permutation in turn
-        if (old_place[start] == start) continue;
-        const auto first = things[start];
-        std::size_t place = start;
-        while (old_place[place] != start) {
-            const std::size_t from = old_place[place];
-            things[place] = things[from];
-            old_place[place] = static_cast<std::uint32_t>(place);
-            place = from;
-        }
-        things[place] = first;
-        old_place[place] = static_cast<std::uint32_t>(place);
-    }
-}
-
 }  // namespace
 
 void Geometry::reserve(std::size_t surfaces, std::size_t triangles) {
-    triangles_.reserve(triangles);
     shape_of_.reserve(surfaces);
     triangle_items_.reserve(triangles + 1);
 }
 
 void Geometry::note(Kind kind, std::size_t index, int surface, const Bounds& box) {
     const ShapeRef shape = shape_ref(kind, index);
-    if (kind == triangle)
-        triangle_items_.emplace_back(box, static_cast<std::uint32_t>(index));
-    else
-        other_items_.emplace_back(box, shape);
+    other_items_.emplace_back(box, shape);
+    set_shape_of(surface, shape);
+}
+
+void Geometry::set_shape_of(int surface, ShapeRef shape) {
     if (role_ == Role::content) return;
     if (shape_of_.size() <= static_cast<std::size_t>(surface))
         shape_of_.resize(static_cast<std::size_t>(surface) + 1, no_shape);
@@ -65,7 +52,7 @@ bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
     const std::span<const double> numbers = scene.reals(id);
     switch (const PrimitiveType type = scene.type(id)) {
         case PrimitiveType::polygon:
-            return add_polygon(numbers, surface);
+            return add_polygon(scene, id, surface);
         case PrimitiveType::sphere:
         case PrimitiveType::bubble: {
             const double radius = std::fabs(numbers[3]);
@@ -96,20 +83,14 @@ bool Geometry::add(const Scene& scene, PrimitiveId id, int surface) {
     }
 }
 
-bool Geometry::add_polygon(std::span<const double> vertices, int surface) {
-    vertices = distinct_vertices(vertices);
+bool Geometry::add_polygon(const Scene& scene, PrimitiveId id, int surface) {
+    const std::span<const double> vertices = distinct_vertices(scene.reals(id));
     const std::size_t count = vertices.size() / 3;
+    if (count == 3) return add_triangle(scene, id, surface);
     const PolygonPlane plane = polygon_plane(vertices);
     if (plane.area == 0) return false;
     Bounds box;
     for (std::size_t i = 0; i < count; ++i) box.extend(vec(vertices, 3 * i));
-    if (count == 3) {
-        triangles_.emplace_back(vec(vertices, 0), vec(vertices, 3), vec(vertices, 6), surface);
-        const Vec3 beyond(triangles_.back().uncertainty());
-        box = {box.lo - beyond, box.hi + beyond};
-        note(triangle, triangles_.size() - 1, surface, box);
-        return true;
-    }
     int axis = std::fabs(plane.normal.y) > std::fabs(plane.normal.x) ? 1 : 0;
     if (std::fabs(plane.normal.z) > std::fabs(plane.normal[axis])) axis = 2;
     const int x = (axis + 1) % 3, y = (axis + 2) % 3;
@@ -124,6 +105,17 @@ bool Geometry::add_polygon(std::span<const double> vertices, int surface) {
     polygons_.push_back({plane.normal, plane.offset, corners.get(), static_cast<int>(count), surface, x, y});
     corners_.push_back(std::move(corners));
     note(polygon, polygons_.size() - 1, surface, box);
+    return true;
+}
+
+bool Geometry::add_triangle(const Scene& scene, PrimitiveId id, int surface) {
+    scene_ = &scene;
+    const std::array<Vec3, 3> corners = triangle_corners(scene.reals(id));
+    const TriangleLimits limits(corners);
+    if (limits.doubled_area == 0) return false;
+    const Vec3 beyond(limits.uncertainty());
+    triangle_items_.emplace_back(Bounds{limits.lo - beyond, limits.hi + beyond},
+                                 static_cast<std::uint32_t>(surface), static_cast<std::uint32_t>(id));
     return true;
 }
 
@@ -145,21 +137,72 @@ bool Geometry::add_cone(PrimitiveType type, std::span<const double> numbers, int
     return true;
 }
 
+/// Makes the triangles of a scene, or puts the facets of a mesh in order.
+class Geometry::TrianglePlacer : public Bvh::LeafTriangles {
+  public:
+    explicit TrianglePlacer(Geometry& geometry) : geometry_(geometry) {
+        geometry.triangles_.resize(geometry.triangle_items_.size());
+    }
+    void announce(std::span<const Bvh::Item> items) const override {
+        for (const Bvh::Item& item : items) {
+            const double* const numbers =
+                geometry_.scene_->reals(static_cast<PrimitiveId>(item.note())).data();
+            __builtin_prefetch(numbers);
+            __builtin_prefetch(numbers + 8);
+        }
+    }
+    double place(std::span<const Bvh::Item> items, std::size_t first, std::array<Vec3, 3>* corners) override {
+        double uncertainty = 0;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const auto surface = static_cast<int>(items[i].id());
+            const auto primitive = static_cast<PrimitiveId>(items[i].note());
+            corners[i] = triangle_corners(geometry_.scene_->reals(primitive));
+            const auto& [a, b, c] = corners[i];
+            geometry_.triangles_[first + i] = Triangle(a, b, c, surface);
+            geometry_.set_shape_of(surface, shape_ref(triangle, first + i));
+            uncertainty = std::max(uncertainty, TriangleLimits(corners[i]).uncertainty());
+        }
+        return uncertainty;
+    }
+
+  private:
+    Geometry& geometry_;
+};
+
+class Geometry::FacetPlacer : public Bvh::LeafTriangles {
+  public:
+    explicit FacetPlacer(Facets& facets) : facets_(facets), ordered_(facets.all().size()) {}
+    void announce(std::span<const Bvh::Item> items) const override {
+        for (const Bvh::Item& item : items) __builtin_prefetch(&facets_.all()[item.id()]);
+    }
+    double place(std::span<const Bvh::Item> items, std::size_t first, std::array<Vec3, 3>* corners) override {
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            ordered_[first + i] = facets_.all()[items[i].id()];
+            corners[i] = facets_.corners(ordered_[first + i]);
+        }
+        return 0;
+    }
+    LargeVector<Facets::Facet> ordered() && { return std::move(ordered_); }
+
+  private:
+    Facets& facets_;
+    LargeVector<Facets::Facet> ordered_;
+};
+
 void Geometry::build() {
     const bool is_mesh = !facets_.all().empty();
-    const std::vector<std::uint32_t> order =
-        bvh_.build(std::move(triangle_items_), other_items_, [&](std::uint32_t i) {
-            return is_mesh ? Bvh::TriangleExtent{facets_.corners(facets_.all()[i]), 0}
-                           : Bvh::TriangleExtent{triangles_[i].corners(), triangles_[i].uncertainty()};
-        });
-    other_items_ = {};
     first_triangle_ = shape_ref(is_mesh ? facet : triangle, 0);
-    if (is_mesh) return permute(facets_.all(), order);
-    permute(triangles_, order);
-    bvh_.set_records(triangles_.data(), sizeof(Triangle));
-    if (role_ == Role::scene)
-        for (std::size_t i = 0; i < triangles_.size(); ++i)
-            shape_of_[static_cast<std::size_t>(triangles_[i].surface)] = shape_ref(triangle, i);
+    if (is_mesh) {
+        FacetPlacer placer(facets_);
+        bvh_.build(std::move(triangle_items_), other_items_, placer);
+        facets_.all() = std::move(placer).ordered();
+    } else {
+        TrianglePlacer placer(*this);
+        bvh_.build(std::move(triangle_items_), other_items_, placer);
+        bvh_.set_records(triangles_.data(), sizeof(Triangle));
+    }
+    other_items_ = {};
+    scene_ = nullptr;
 }
 
 inline void Geometry::test(ShapeRef shape, const Vec3& origin, const Vec3& direction,

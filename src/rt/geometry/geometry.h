@@ -50,7 +50,7 @@ class Geometry {
     /// Makes room for this many surfaces, of which so many are triangles.
     void reserve(std::size_t surfaces, std::size_t triangles);
     /// Adds a primitive's shape as surface number `surface`. False for one that no ray can meet (no area, no
-    /// radius).
+    /// radius). All primitives are of one scene, which keeps its arguments until build().
     ///   throws  Error if the primitive's type is no shape known here
     bool add(const Scene& scene, PrimitiveId id, int surface);
     /// Makes it a mesh. The surface of facets that have no material becomes that of each instance.
@@ -58,7 +58,7 @@ class Geometry {
     /// Places a content, which is built and stays alive, as surface number `surface`.
     ///   covers  that surface hides the content's own surfaces and their modifiers
     void add_instance(const Geometry& content, const Placement& placement, int surface, bool covers);
-    /// Builds the hierarchy; to be called once, after the last add().
+    /// Builds the hierarchy; to be called once, after the last add(). Only then rays may be traced.
     void build();
 
     /// Nearest hit beyond `same_place` and nearer than state.distance; `leaving` is a shape not to be tested.
@@ -148,7 +148,11 @@ class Geometry {
     void describe_inner(const PlacedShape& inner, Interaction& at) const;
     const Instance& instance_of(std::uint64_t number) const;
     Located locate(std::uint64_t number) const;
-    bool add_polygon(std::span<const double> vertices, int surface);
+    class TrianglePlacer;
+    class FacetPlacer;
+    bool add_polygon(const Scene& scene, PrimitiveId id, int surface);
+    bool add_triangle(const Scene& scene, PrimitiveId id, int surface);
+    void set_shape_of(int surface, ShapeRef shape);
     bool add_cone(PrimitiveType type, std::span<const double> numbers, int surface);
 
     const SurfaceTable& table_;
@@ -156,8 +160,11 @@ class Geometry {
     LargeVector<Triangle> triangles_;
     std::vector<Polygon> polygons_;
     std::vector<std::unique_ptr<double[]>> corners_;
-    LargeVector<Bvh::Item> triangle_items_;  // for building only, as the next
+    // For building only, as the next two. Numbered by surface, with the primitive as their note; facets by
+    // their place.
+    LargeVector<Bvh::Item> triangle_items_;
     std::vector<Bvh::Item> other_items_;
+    const Scene* scene_ = nullptr;
     ShapeRef first_triangle_ = 0;  // what the hierarchy calls 0: a triangle or a facet
     std::vector<Sphere> spheres_;
     std::vector<Cone> cones_;

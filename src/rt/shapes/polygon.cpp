@@ -49,34 +49,27 @@ Triangle::Triangle(const Vec3& a, const Vec3& b, const Vec3& c, int surface_inde
     c_d = (a[u] * ab[v] - a[v] * ab[u]) / area;
 }
 
-std::array<Vec3, 3> Triangle::corners() const {
-    // The second and third barycentric coordinates are (0, 0), (1, 0) and (0, 1) there.
-    const double determinant = b_u * c_v - b_v * c_u;
-    constexpr double coordinates[3][2] = {{0, 0}, {1, 0}, {0, 1}};
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    std::array<Vec3, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double second = coordinates[i][0] - b_d, third = coordinates[i][1] - c_d;
-        Vec3& p = corners[i];
-        p[u] = (second * c_v - third * b_v) / determinant;
-        p[v] = (third * b_u - second * c_u) / determinant;
-        p[axis] = plane_d - plane_u * p[u] - plane_v * p[v];
+TriangleLimits::TriangleLimits(const std::array<Vec3, 3>& corners) {
+    const auto& [a, b, c] = corners;
+    for (int i = 0; i < 3; ++i) {
+        lo[i] = std::min(std::min(a[i], b[i]), c[i]);
+        hi[i] = std::max(std::max(a[i], b[i]), c[i]);
     }
-    return corners;
+    const Vec3 n = cross(b - a, c - a);
+    // As for all polygons, too small an area to be squared is none.
+    doubled_area =
+        dot(n, n) > 0 ? std::max(std::max(std::fabs(n.x), std::fabs(n.y)), std::fabs(n.z)) : 0;
 }
 
-double Triangle::uncertainty() const {
+double TriangleLimits::uncertainty() const {
     double reach = 0, size = 0;
-    const std::array<Vec3, 3> corner = corners();
     for (int i = 0; i < 3; ++i) {
-        const auto [lo, hi] = std::minmax({corner[0][i], corner[1][i], corner[2][i]});
-        reach = std::max({reach, -lo, hi});
-        size = std::max(size, hi - lo);
+        reach = std::max(reach, std::max(-lo[i], hi[i]));
+        size = std::max(size, hi[i] - lo[i]);
     }
     // A barycentric coordinate is a sum of three terms of at most reach size / area, the plane's slope wrong
     // by size^2 / area of the last place.
-    const double area = 1 / std::fabs(b_u * c_v - b_v * c_u);
-    return std::min(32 * 0x1p-53 * reach * size * size / area, size);
+    return std::min(32 * 0x1p-53 * reach * size * size / doubled_area, size);
 }
 
 Vec3 Triangle::normal() const {

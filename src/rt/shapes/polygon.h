@@ -33,6 +33,7 @@ struct Triangle {
     std::uint8_t axis;
     bool reversed;  ///< the normal points against the axis
 
+    Triangle() = default;
     /// The corners must not lie on a line.
     Triangle(const Vec3& a, const Vec3& b, const Vec3& c, int surface_index);
 
@@ -55,8 +56,14 @@ struct Triangle {
 
     /// Unit normal.
     Vec3 normal() const;
-    /// To rounding.
-    std::array<Vec3, 3> corners() const;
+};
+
+/// What the corners of a triangle tell without it.
+struct TriangleLimits {
+    Vec3 lo, hi;
+    double doubled_area;  ///< projected along the axis that the normal is nearest to; 0: it cannot be met
+
+    explicit TriangleLimits(const std::array<Vec3, 3>& corners);
     /// How far beyond its corners rounding may let the triangle be met: much for a sliver far from the
     /// origin, no more than the triangle's size.
     double uncertainty() const;
