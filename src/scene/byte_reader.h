@@ -21,11 +21,17 @@ class ByteReader {
     /// Signed integer of `size` bytes, 1 to 8.
     std::int64_t integer(int size) {
         constexpr int usual = 4;
-        if (size != usual || end_ - next_ < usual) return any_integer(size);
-        std::uint32_t bits = 0;
-        for (int i = 0; i < usual; ++i) bits = bits << 8 | static_cast<unsigned char>(next_[i]);
-        next_ += usual;
-        return static_cast<std::int32_t>(bits);
+        return size == usual && end_ - next_ >= usual ? usual_integer() : any_integer(size);
+    }
+    /// As many integers of `size` bytes.
+    void integers(std::vector<std::int64_t>& values, std::size_t count, int size) {
+        constexpr int usual = 4;
+        values.resize(count);
+        if (size == usual && end_ - next_ >= usual * std::ptrdiff_t(count)) {
+            for (std::int64_t& value : values) value = usual_integer();
+        } else {
+            for (std::int64_t& value : values) value = integer(size);
+        }
     }
     /// 4 bytes of mantissa and 1 of exponent: 31 bits of precision.
     double real();
@@ -43,6 +49,13 @@ class ByteReader {
 
   private:
     bool refill();
+    /// Of 4 bytes, which must be there.
+    std::int32_t usual_integer() {
+        std::uint32_t bits = 0;
+        for (int i = 0; i < 4; ++i) bits = bits << 8 | static_cast<unsigned char>(next_[i]);
+        next_ += 4;
+        return static_cast<std::int32_t>(bits);
+    }
     std::int64_t any_integer(int size);
     [[noreturn]] int fail_truncated() const;
     std::string up_to(char last, std::size_t longest);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t longest_file_name = 4096;
 constexpr std::int64_t most_primitives = 1 << 28;
+constexpr std::int64_t most_primitives_expected = 1 << 22;  // a damaged file may announce more than there are
 
 /// Checks the members, which must be below `count`, and (if asked) keeps the tree.
 class MemberCheck : public TreeVisitor {
@@ -23,8 +24,10 @@ class MemberCheck : public TreeVisitor {
     OctreeNode leaf(std::span<const std::int64_t> members) override {
         set_.clear();
         for (const std::int64_t id : members) {
-            if (id < 0 || id >= count_) in_.fail_damaged("a cell holds a primitive that does not exist");
-            if (std::size_t(id) >= held_.size()) held_.resize(std::size_t(id) + 1);
+            if (id < 0 || id >= count_) [[unlikely]]
+                in_.fail_damaged("a cell holds a primitive that does not exist");
+            if (std::size_t(id) >= held_.size()) [[unlikely]]
+                held_.resize(std::size_t(id) + 1);
             held_[std::size_t(id)] = true;
             if (keep_) set_.push_back(PrimitiveId(id));
         }
@@ -49,7 +52,7 @@ class MemberCheck : public TreeVisitor {
 
 void check_members(ByteReader& in, const Scene& scene, const MemberCheck& tree) {
     for (PrimitiveId id = 0; id < scene.size(); ++id)
-        if (tree.holds(id) && !scene.type_info(id).is_geometry())
+        if (!scene.type_info(id).is_geometry() && tree.holds(id))
             in.fail("a cell holds the " + std::string(scene.type_info(id).name) + " \"" +
                     std::string(scene.name(id)) + "\"; is the octree stale?");
 }
@@ -67,6 +70,7 @@ OctreeFile read_octree(ByteReader& in, const WarningSink& warn, OctreePart part)
     MemberCheck tree(in, count, part == OctreePart::tree ? &file.tree : nullptr);
     file.tree.root = read_tree(in, id_size, tree);
 
+    file.scene.reserve(std::size_t(std::min(count, most_primitives_expected)));
     if (file.frozen) {
         read_scene_section(in, file.scene, id_size);
     } else {

@@ -43,8 +43,7 @@ class TreeWalk {
     OctreeNode leaf() {
         const auto size = in_.integer(id_size_);
         if (size < 0 || size > std::int64_t(Octree::largest_set)) in_.fail_damaged("a set of senseless size");
-        members_.clear();
-        for (std::int64_t i = 0; i < size; ++i) members_.push_back(in_.integer(id_size_));
+        in_.integers(members_, std::size_t(size), id_size_);
         return visitor_.leaf(members_);
     }
 

@@ -48,7 +48,7 @@ struct CountRule {
 
     constexpr bool allows(std::size_t count) const {
         const auto n = static_cast<long long>(count);
-        return n == also || (n >= least && n <= most && (n - least) % step == 0);
+        return n == least || n == also || (n > least && n <= most && (n - least) % step == 0);
     }
     /// In words: "5", "3 or 4", "at least 4", "9, 12, 15, ...".
     std::string text() const;

@@ -1,5 +1,7 @@
 #include "scene/rad_parser.h"
 
+#include <algorithm>
+
 #include "common/parse_number.h"
 
 namespace infra {
@@ -104,6 +106,7 @@ std::string RadParser::previous() const {
 }
 
 void RadParser::refuse_tab(std::string_view word, const char* what) const {
+    if (word.data() != quoted_word_.data()) return;  // blanks end a word without quotes
     if (word.find('\t') != std::string_view::npos)
         fail(std::string("a tab in the ") + what + " " + quoted(word));
 }
@@ -113,10 +116,9 @@ void RadParser::read_primitive() {
     previous_type_ = p.type;
     previous_name_.swap(p.name);
     p.strings.clear();
-    p.reals.clear();
     if (!read_word(word_)) missing_word("modifier");
     refuse_tab(word_, "modifier");
-    p.modifier = word_;
+    if (p.modifier != word_) p.modifier = word_;
     if (!read_word(word_)) missing_word("type of a primitive whose modifier is " + quoted(p.modifier));
     const bool as_before = word_ == infra::name(p.type);
     const auto type = as_before ? p.type : find_primitive_type(word_);
@@ -139,12 +141,18 @@ void RadParser::read_primitive() {
     if (p.type == PrimitiveType::alias) {
         if (!read_word(word_)) missing_word("target of " + p.description());
         p.strings.emplace_back(word_);
+        p.reals.clear();
     } else {
         read_arguments();
     }
 }
 
 int RadParser::read_count(const char* sort) {
+    int digit = 0;
+    if (source_.lone_digit(digit)) {
+        word_line_ = source_.line();
+        return digit;
+    }
     if (!read_word(word_))
         missing_word(std::string("number of ") + sort + " arguments of " + primitive_.description());
     int count = 0;
@@ -160,7 +168,7 @@ int RadParser::read_count(const char* sort) {
 void RadParser::read_arguments() {
     const auto check_limit = [&](int count, int limit, const char* sort) {
         if (count > limit)
-            fail(std::string(word_) + " " + sort + " arguments for " + primitive_.description() +
+            fail(std::to_string(count) + " " + sort + " arguments for " + primitive_.description() +
                  ", more than the limit of " + std::to_string(limit));
     };
     const auto argument = [&](int i, int count, const char* sort) {
@@ -175,23 +183,25 @@ void RadParser::read_arguments() {
         argument(i, string_count, "string");
         primitive_.strings.emplace_back(word_);
     }
-    if (read_count("integer") != 0)
-        fail(std::string(word_) + " integer arguments for " + primitive_.description(),
+    if (const int count = read_count("integer"); count != 0)
+        fail(std::to_string(count) + " integer arguments for " + primitive_.description(),
              "no type has any: the count before the real arguments is 0");
     const int real_count = read_count("real");
     check_limit(real_count, most_reals, "real");
-    for (int i = 0; i < real_count; ++i) {
-        double value = 0;
-        if (source_.short_number(value)) {
-            primitive_.reals.push_back(value);
-            continue;
-        }
+    std::vector<double>& reals = primitive_.reals;
+    for (int i = 0; i < real_count;) {
+        constexpr int most_at_once = 1 << 12;  // memory is only taken for what is there
+        const int behind = i + std::min(real_count - i, most_at_once);
+        if (reals.size() < std::size_t(behind)) reals.resize(std::size_t(behind));
+        i += int(source_.short_numbers(&reals[std::size_t(i)], std::size_t(behind - i)));
+        if (i == behind) continue;
         argument(i, real_count, "real");
-        if (!parse_real(word_, value))
+        if (!parse_real(word_, reals[std::size_t(i)]))
             fail(quoted(word_) + " is not a number (real argument " + std::to_string(i + 1) + " of " +
                  std::to_string(real_count) + " of " + primitive_.description() + ")");
-        primitive_.reals.push_back(value);
+        ++i;
     }
+    reals.resize(std::size_t(real_count));
 }
 
 }  // namespace infra

@@ -32,6 +32,9 @@ class Reader {
     Scene& scene_;
     const WarningSink& warn_;
     int nesting_ = 0;
+    // The modifier named last, until another is defined: surfaces of one stand together mostly.
+    std::string latest_name_;
+    PrimitiveId latest_ = void_primitive;
 };
 
 void Reader::read_spec(const std::string& spec) {
@@ -97,7 +100,13 @@ void Reader::add(const RadParser& parser, std::int32_t file) {
     const ParsedPrimitive& p = parser.primitive();
     const bool inherits = p.modifier == inherit_name;
     PrimitiveId modifier = void_primitive;
-    if (!inherits && p.modifier != void_name) modifier = modifier_named(p.modifier, parser, "modifier");
+    if (latest_ != void_primitive && p.modifier == latest_name_) {
+        modifier = latest_;
+    } else if (!inherits && p.modifier != void_name) {
+        modifier = modifier_named(p.modifier, parser, "modifier");
+        latest_name_ = p.modifier;
+        latest_ = modifier;
+    }
     std::vector<std::string_view> strings(p.strings.begin(), p.strings.end());
 
     if (p.type == PrimitiveType::alias) {
@@ -114,6 +123,7 @@ void Reader::add(const RadParser& parser, std::int32_t file) {
         throw Error(parser.location(), "\"inherit\" as the modifier of " + p.description(),
                     "only an alias can inherit its target's modifier");
     }
+    if (info(p.type).is_modifier()) latest_ = void_primitive;
     scene_.add(p.type, modifier, p.name, strings, p.reals, {file, parser.line()});
 }
 

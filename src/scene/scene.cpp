@@ -22,9 +22,9 @@ std::string_view Scene::keep(std::string_view text) {
 }
 
 Location Scene::location(PrimitiveId id) const {
-    const SourcePlace place = records_[id].place;
-    if (place.file < 0) return {};
-    return {files_[place.file], place.line, 0};
+    const Record& record = records_[id];
+    if (record.file == 0) return {};
+    return {files_[record.file - 1], record.line, 0};
 }
 
 PrimitiveId Scene::find_modifier(std::string_view name) const {
@@ -75,6 +75,7 @@ Error Scene::error(PrimitiveId id, std::string_view message, std::string_view hi
 }
 
 std::int32_t Scene::add_file(std::string_view file_name) {
+    if (files_.size() == std::size_t(most_files)) throw Error("too many files and commands in the scene");
     files_.emplace_back(file_name);
     return static_cast<std::int32_t>(files_.size() - 1);
 }
@@ -95,24 +96,28 @@ PrimitiveId Scene::add(PrimitiveType type, PrimitiveId modifier, std::string_vie
                        SourcePlace place) {
     if (records_.size() >= std::size_t(std::numeric_limits<PrimitiveId>::max()))
         throw Error("too many primitives in the scene");
-    std::vector<std::string_view> kept;
-    kept.reserve(strings.size());
-    for (const std::string_view s : strings) kept.push_back(keep(s));
+    if (name.size() > longest_name) throw Error("a name of more than 511 characters");
+    const PrimitiveId id = size();
+    if (!strings.empty()) {
+        std::vector<std::string_view> kept;
+        kept.reserve(strings.size());
+        for (const std::string_view s : strings) kept.push_back(keep(s));
+        strings_.emplace(id, std::span(string_lists_.store(kept), kept.size()));
+    }
     const std::string_view kept_name = keep(name);
 
     Record record;
     record.name = kept_name.data();
-    record.name_length = static_cast<std::uint16_t>(name.size());
+    record.name_length = static_cast<std::uint32_t>(name.size()) & longest_name;
     record.reals = (info(type).is_geometry() ? geometry_reals_ : reals_).store(reals);
     record.real_count = static_cast<std::uint32_t>(reals.size());
-    record.strings = strings_.store(kept);
-    record.string_count = static_cast<std::uint16_t>(strings.size());
+    record.has_strings = !strings.empty();
     record.modifier = modifier;
-    record.place = place;
-    record.type = type;
+    record.line = place.line;
+    record.file = static_cast<std::uint32_t>(place.file + 1) & most_files;
+    types_.push_back(type);
     records_.push_back(record);
 
-    const PrimitiveId id = size() - 1;
     if (info(type).is_modifier()) {
         const auto [entry, is_new] = modifiers_.try_emplace(kept_name, id);
         if (!is_new && !same_definition(id, entry->second)) entry->second = id;
@@ -121,18 +126,19 @@ PrimitiveId Scene::add(PrimitiveType type, PrimitiveId modifier, std::string_vie
 }
 
 void Scene::release_geometry_arguments() {
-    for (Record& record : records_)
-        if (info(record.type).is_geometry()) {
-            record.reals = nullptr;
-            record.real_count = 0;
+    for (PrimitiveId id = 0; id < size(); ++id)
+        if (type_info(id).is_geometry()) {
+            records_[id].reals = nullptr;
+            records_[id].real_count = 0;
         }
     geometry_reals_ = {};
 }
 
 void check_arguments(const Scene& scene, PrimitiveId id) {
     const PrimitiveInfo& row = scene.type_info(id);
-    const std::string wrong = wrong_counts(row, scene.strings(id).size(), scene.reals(id).size());
-    if (!wrong.empty()) throw scene.error(id, wrong, argument_summary(row));
+    const std::size_t strings = scene.strings(id).size(), reals = scene.reals(id).size();
+    if (row.strings.allows(strings) && row.reals.allows(reals)) return;
+    throw scene.error(id, wrong_counts(row, strings, reals), argument_summary(row));
 }
 
 }  // namespace infra

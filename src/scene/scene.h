@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "common/large_pages.h"
 #include "scene/arena.h"
 #include "scene/primitive_types.h"
 
@@ -39,7 +40,7 @@ class Scene {
 
     PrimitiveId size() const { return static_cast<PrimitiveId>(records_.size()); }
 
-    PrimitiveType type(PrimitiveId id) const { return records_[id].type; }
+    PrimitiveType type(PrimitiveId id) const { return types_[id]; }
     const PrimitiveInfo& type_info(PrimitiveId id) const { return info(type(id)); }
     /// Identifier. Views and spans of a scene live as long as the scene.
     std::string_view name(PrimitiveId id) const { return {records_[id].name, records_[id].name_length}; }
@@ -49,7 +50,7 @@ class Scene {
         return {records_[id].reals, records_[id].real_count};
     }
     std::span<const std::string_view> strings(PrimitiveId id) const {
-        return {records_[id].strings, records_[id].string_count};
+        return records_[id].has_strings ? strings_.at(id) : std::span<const std::string_view>();
     }
     /// File and line of the primitive's first word; empty when unknown.
     Location location(PrimitiveId id) const;
@@ -71,6 +72,11 @@ class Scene {
     /// Source files and commands ("!xform ..") as they were named, those that SourcePlace numbers.
     const std::vector<std::string>& files() const { return files_; }
 
+    /// Makes room for as many primitives.
+    void reserve(std::size_t primitives) {
+        types_.reserve(primitives);
+        records_.reserve(primitives);
+    }
     /// Number of a source file, for SourcePlace.
     std::int32_t add_file(std::string_view file_name);
     /// Adds a primitive. A modifier is found by its name from now on, unless an earlier one of that name
@@ -83,25 +89,28 @@ class Scene {
     void release_geometry_arguments();
 
   private:
-    struct Record {
+    struct Record {  // there may be millions of them
         const char* name;
         const double* reals;
-        const std::string_view* strings;
         std::uint32_t real_count;
         PrimitiveId modifier;
-        SourcePlace place;
-        std::uint16_t string_count;
-        std::uint16_t name_length;
-        PrimitiveType type;
+        std::int32_t line;
+        std::uint32_t file : 22;  ///< counted from 1; 0: unknown
+        std::uint32_t name_length : 9;
+        std::uint32_t has_strings : 1;
     };
+    static constexpr std::int32_t most_files = (1 << 22) - 1;
+    static constexpr std::size_t longest_name = (1 << 9) - 1;
 
     std::string_view keep(std::string_view text);
     bool same_definition(PrimitiveId a, PrimitiveId b) const;
 
-    std::vector<Record> records_;
+    std::vector<PrimitiveType> types_;  // apart from all else: what is asked of every primitive mostly
+    LargeVector<Record> records_;
     Arena<double> reals_;           ///< of modifiers
     Arena<double> geometry_reals_;  ///< of surfaces and volumes
-    Arena<std::string_view> strings_;
+    Arena<std::string_view> string_lists_;
+    std::unordered_map<PrimitiveId, std::span<const std::string_view>> strings_;  ///< of those that have any
     Arena<char> text_;
     std::vector<std::string> files_;
     std::unordered_map<std::string_view, PrimitiveId> modifiers_;

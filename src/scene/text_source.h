@@ -61,6 +61,37 @@ class TextSource {
         return size > 0;
     }
 
+    /// Takes as many short numbers as stand here one after another, up to `count`.
+    ///   returns  how many there were
+    std::size_t short_numbers(double* values, std::size_t count) {
+        std::size_t taken = 0;
+        while (taken < count) {
+            // A blank and a number are mostly all there is.
+            const char* next = next_;
+            for (; taken < count && next != end_ && *next == ' '; ++taken) {
+                ++next;
+                const std::size_t size =
+                    parse_short_number({next, static_cast<std::size_t>(end_ - next)}, values[taken]);
+                if (size == 0) break;
+                next += size;
+            }
+            next_ = next;
+            if (taken == count || !short_number(values[taken])) break;
+            ++taken;
+        }
+        return taken;
+    }
+
+    /// Takes the digit that stands here, after blanks, if it is all of a word. Otherwise takes at most the
+    /// blanks.
+    bool lone_digit(int& value) {
+        skip_blanks();
+        if (end_ - next_ < 2 || *next_ < '0' || *next_ > '9') return false;
+        if (!is_blank(static_cast<unsigned char>(next_[1]))) return false;
+        value = *next_++ - '0';
+        return true;
+    }
+
     static constexpr bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
     static constexpr bool is_quote(int c) { return c == '"' || c == '\''; }
 

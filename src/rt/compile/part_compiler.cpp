@@ -17,13 +17,15 @@ class ModifierCompiler {
     // Every modifier stands after those it refers to: walking backwards finds all that are used, walking
     // forwards makes each when its parts are there.
     void run(SurfaceRange range) {
-        std::vector<char> used(static_cast<std::size_t>(scene_.size()));
+        PrimitiveId count = scene_.size();  // up to the last modifier
+        while (count > 0 && !scene_.type_info(count - 1).is_modifier()) --count;
+        std::vector<char> used(static_cast<std::size_t>(count));
         const auto mark = [&](PrimitiveId id) {
             if (id != void_primitive) used[static_cast<std::size_t>(id)] = 1;
         };
         for (int i = range.begin; i < range.end; ++i)
             mark(scene_.modifier(context_.surfaces[i].primitive - part_.first));
-        for (PrimitiveId id = scene_.size() - 1; id >= 0; --id) {
+        for (PrimitiveId id = count - 1; id >= 0; --id) {
             if (!used[static_cast<std::size_t>(id)]) continue;
             const ResolvedModifier resolved = scene_.resolve(id);
             mark(resolved.modifier);
@@ -31,8 +33,8 @@ class ModifierCompiler {
             for (const std::string_view name : referenced_modifiers(scene_, resolved.definition))
                 mark(scene_.find_modifier_before(name, resolved.definition));
         }
-        made_.assign(static_cast<std::size_t>(scene_.size()), nullptr);
-        for (PrimitiveId id = 0; id < scene_.size(); ++id)
+        made_.assign(static_cast<std::size_t>(count), nullptr);
+        for (PrimitiveId id = 0; id < count; ++id)
             if (used[static_cast<std::size_t>(id)] && scene_.type_info(id).is_modifier())
                 made_[static_cast<std::size_t>(id)] = compile(id);
     }
@@ -109,12 +111,19 @@ void finish_surfaces(CompileContext& context, const ScenePart& part, SurfaceRang
     const std::unordered_set<std::string_view> names(filter.names.begin(), filter.names.end());
     std::vector<Finish>& finishes = context.surfaces.finishes;
     std::unordered_map<PrimitiveId, std::int32_t> finish_of;
+    PrimitiveId latest = void_primitive;
+    std::int32_t latest_finish = -1;
     for (int i = range.begin; i < range.end; ++i) {
         Surface& surface = context.surfaces.surfaces[static_cast<std::size_t>(i)];
         const PrimitiveId modifier = part.text.modifier(surface.primitive - part.first);
+        if (modifier == latest && latest_finish >= 0) {
+            surface.finish = latest_finish;
+            continue;
+        }
         const auto [known, is_new] =
             finish_of.try_emplace(modifier, static_cast<std::int32_t>(finishes.size()));
-        surface.finish = known->second;
+        surface.finish = latest_finish = known->second;
+        latest = modifier;
         if (!is_new) continue;
         Finish finish{.primitive = part.number(modifier), .modifier = modifiers.made(modifier)};
         if (const Modifier* material = Modifier::material_of(finish.modifier))
@@ -132,13 +141,12 @@ void add_shapes(const CompileContext& context, const ScenePart& part, SurfaceRan
     const Scene& scene = part.text;
     const auto primitive = [&](int surface) { return context.surfaces[surface].primitive - part.first; };
     std::size_t triangles = 0;
+    for (int i = range.begin; i < range.end; ++i)
+        triangles += scene.type(primitive(i)) == PrimitiveType::polygon;  // or fewer
+    geometry.reserve(static_cast<std::size_t>(range.end - range.begin), triangles);
     for (int i = range.begin; i < range.end; ++i) {
         check_arguments(scene, primitive(i));
-        triangles +=
-            scene.type(primitive(i)) == PrimitiveType::polygon && scene.reals(primitive(i)).size() == 9;
-    }
-    geometry.reserve(static_cast<std::size_t>(range.end - range.begin), triangles);
-    for (int i = range.begin; i < range.end; ++i) switch (scene.type(primitive(i))) {
+        switch (scene.type(primitive(i))) {
             case PrimitiveType::source:
             case PrimitiveType::instance:
             case PrimitiveType::mesh:
@@ -146,6 +154,7 @@ void add_shapes(const CompileContext& context, const ScenePart& part, SurfaceRan
             default:
                 geometry.add(scene, primitive(i), i);
         }
+    }
 }
 
 }  // namespace infra
