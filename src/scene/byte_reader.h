@@ -2,8 +2,10 @@
 // strings.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -51,10 +53,11 @@ class ByteReader {
     bool refill();
     /// Of 4 bytes, which must be there.
     std::int32_t usual_integer() {
-        std::uint32_t bits = 0;
-        for (int i = 0; i < 4; ++i) bits = bits << 8 | static_cast<unsigned char>(next_[i]);
-        next_ += 4;
-        return static_cast<std::int32_t>(bits);
+        static_assert(std::endian::native == std::endian::little);
+        std::uint32_t bits;
+        std::memcpy(&bits, next_, sizeof bits);
+        next_ += sizeof bits;
+        return static_cast<std::int32_t>(__builtin_bswap32(bits));
     }
     std::int64_t any_integer(int size);
     [[noreturn]] int fail_truncated() const;

@@ -24,14 +24,12 @@ class MemberCheck : public TreeVisitor {
     OctreeNode leaf(std::span<const std::int64_t> members) override {
         set_.clear();
         for (const std::int64_t id : members) {
-            if (id < 0 || id >= count_) [[unlikely]]
-                in_.fail_damaged("a cell holds a primitive that does not exist");
-            if (std::size_t(id) >= held_.size()) [[unlikely]]
-                held_.resize(std::size_t(id) + 1);
+            if (std::uint64_t(id) >= held_.size()) [[unlikely]]
+                make_room(id);
             held_[std::size_t(id)] = true;
-            if (keep_) set_.push_back(PrimitiveId(id));
         }
         if (!keep_) return empty_node;
+        for (const std::int64_t id : members) set_.push_back(PrimitiveId(id));
         std::ranges::sort(set_);
         return keep_->add_leaf(set_);
     }
@@ -43,6 +41,12 @@ class MemberCheck : public TreeVisitor {
     bool holds(PrimitiveId id) const { return std::size_t(id) < held_.size() && held_[std::size_t(id)]; }
 
   private:
+    // As much as has been needed: a damaged file may announce any number of primitives.
+    void make_room(std::int64_t id) {
+        if (id < 0 || id >= count_) in_.fail_damaged("a cell holds a primitive that does not exist");
+        held_.resize(std::size_t(std::min(count_, 2 * id + 1)));
+    }
+
     const ByteReader& in_;
     std::int64_t count_;
     Octree* keep_;
@@ -102,6 +106,7 @@ OctreeFile load_octree(const std::string& spec, const WarningSink& warn, OctreeP
         return file;
     }
     const FileHandle stream = open_scene_file(spec, "octree");
+    std::setvbuf(stream.get(), nullptr, _IONBF, 0);  // the reader has a buffer
     ByteReader in(stream.get(), spec, "octree");
     return read_octree(in, warn, part);
 }

@@ -152,7 +152,7 @@ std::string argument_summary(const PrimitiveInfo& row) {
 
 std::span<const PrimitiveInfo> primitive_types() { return table; }
 
-const PrimitiveInfo& info(PrimitiveType type) { return table[static_cast<std::size_t>(type)]; }
+const PrimitiveInfo* const detail::primitive_table = table;
 
 std::optional<PrimitiveType> find_primitive_type(std::string_view name) {
     static const auto by_name = [] {

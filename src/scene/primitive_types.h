@@ -81,7 +81,12 @@ std::string argument_summary(const PrimitiveInfo& row);
 /// All rows; row i describes the type with value i.
 std::span<const PrimitiveInfo> primitive_types();
 
-const PrimitiveInfo& info(PrimitiveType type);
+namespace detail {
+extern const PrimitiveInfo* const primitive_table;
+}
+inline const PrimitiveInfo& info(PrimitiveType type) {
+    return detail::primitive_table[static_cast<std::size_t>(type)];
+}
 inline std::string_view name(PrimitiveType type) { return info(type).name; }
 
 /// The type of this name, if there is one.

@@ -53,6 +53,7 @@ void Reader::read_spec(const std::string& spec) {
     }
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(spec.c_str(), "r"), std::fclose);
     if (!file) throw Error("cannot open scene file \"" + spec + "\": " + std::strerror(errno));
+    std::setvbuf(file.get(), nullptr, _IONBF, 0);  // the source of text has a buffer
     read(TextSource(file.get(), spec));
 }
 

@@ -10,8 +10,8 @@ namespace infra {
 namespace {
 
 constexpr int most_bins = 16;
-constexpr std::size_t few_items = 64;  // for which half the bins do
-constexpr std::size_t sampled_items = 256;   // as many stand for all of a range of twice as many or more
+constexpr std::size_t few_items = 64;       // for which half the bins do
+constexpr std::size_t sampled_items = 128;  // as many stand for all of a range of twice as many or more
 constexpr std::size_t triangles_a_leaf = 8;
 constexpr std::size_t others_a_leaf = 1;  // no cheap test goes before theirs but that of the box
 // From this depth of the binary tree on, ranges are halved, so that it ends before depth 60 and a walk's
@@ -118,8 +118,8 @@ struct Binning {
 
 /// The next number towards infinity.
 float next_above(float x) {
-    if (x == 0) return std::numeric_limits<float>::denorm_min();
-    return std::bit_cast<float>(std::bit_cast<std::int32_t>(x) + (x > 0 ? 1 : -1));
+    const auto bits = std::bit_cast<std::int32_t>(x + 0.0f);  // no negative zero
+    return std::bit_cast<float>(bits + (bits >> 31 | 1));
 }
 
 double power_of_two(int exponent) {
@@ -167,7 +167,7 @@ struct Bvh::Builder {
 
     /// Where to part a range: at a border of bins along an axis.
     struct Place {
-        int axis = -1;  ///< none: it is to be halved
+        int axis = -1;  ///< none if all centres are in one place
         int bin = 0;    ///< the last that belongs to the left part
     };
 
@@ -202,14 +202,20 @@ struct Bvh::Builder {
             split_at(triangle_count);
             return true;
         }
-        const int bins = range.size() < few_items ? most_bins / 2 : most_bins;
+        const bool parted = range.depth < halving_depth &&
+                            (range.size() < few_items ? split_at_bin<most_bins / 2>(range, left, right)
+                                                      : split_at_bin<most_bins>(range, left, right));
+        if (!parted) split_at(range.begin + range.size() / 2);
+        return true;
+    }
+
+    // False if all centres are in one place.
+    template <int bins>
+    bool split_at_bin(const Range& range, Range& left, Range& right) {
         const Binning bin(range.extent.centers, bins);
         Extent parts[2];
-        const Place place = range.depth < halving_depth ? place_to_split(range, bin, bins, parts) : Place{};
-        if (place.axis < 0) {
-            split_at(range.begin + range.size() / 2);
-            return true;
-        }
+        const Place place = place_to_split<bins>(range, bin, parts);
+        if (place.axis < 0) return false;
         const std::size_t middle = is_sampled(range) ? part<Extent>(range, bin, place, parts)
                                                      : part<Centers>(range, bin, place, parts);
         left = {range.begin, middle, parts[0], range.depth + 1};
@@ -220,10 +226,10 @@ struct Bvh::Builder {
     static bool is_sampled(const Range& range) { return range.size() >= 2 * sampled_items; }
 
     // Also tells the boxes of the two parts unless the range is only sampled.
-    Place place_to_split(const Range& range, const Binning& bin, int bins, Extent* parts) const {
-        FloatBox box[most_bins][3];
-        std::int32_t count[most_bins][4];
-        std::fill_n(count[0], 4 * bins, 0);
+    template <int bins>
+    Place place_to_split(const Range& range, const Binning& bin, Extent* parts) const {
+        FloatBox box[bins][3];
+        std::int32_t count[bins][4] = {};
         const std::size_t step = is_sampled(range) ? range.size() / sampled_items : 1;
         std::int32_t all = 0;
         for (std::size_t i = range.begin; i < range.end; i += step, ++all) {
@@ -240,7 +246,7 @@ struct Bvh::Builder {
             return counts;
         };
         // By axis: a part's half area times the number of its items.
-        Float4 right_cost[most_bins];
+        Float4 right_cost[bins];
         ThreeBoxes sum;
         Int4 n = {};
         for (int b = bins - 1; b > 0; --b) {
@@ -267,12 +273,13 @@ struct Bvh::Builder {
                 least = best_cost[axis];
                 best = {axis, best_bin[axis]};
             }
-        if (best.axis < 0) return best;  // all centres in one place
+        if (best.axis < 0) return best;
         for (int b = 0; b < bins; ++b) parts[b > best.bin].box.extend(box[b][best.axis]);
         return best;
     }
 
-    // Sorts a range's items into two parts and returns where the second begins; adds to what is known of each.
+    // Sorts a range's items into two parts and returns where the second begins; adds to what is known of
+    // each.
     template <class Known>
     std::size_t part(const Range& range, const Binning& bin, Place place, Extent* parts) {
         const auto border = static_cast<float>(place.bin + 1);

@@ -57,8 +57,7 @@ TriangleLimits::TriangleLimits(const std::array<Vec3, 3>& corners) {
     }
     const Vec3 n = cross(b - a, c - a);
     // As for all polygons, too small an area to be squared is none.
-    doubled_area =
-        dot(n, n) > 0 ? std::max(std::max(std::fabs(n.x), std::fabs(n.y)), std::fabs(n.z)) : 0;
+    doubled_area = dot(n, n) > 0 ? std::max(std::max(std::fabs(n.x), std::fabs(n.y)), std::fabs(n.z)) : 0;
 }
 
 double TriangleLimits::uncertainty() const {
