@@ -144,9 +144,9 @@ std::size_t IrradianceCache::value_bytes(int channels) {
 double IrradianceCache::interpolate(const IrradiancePlace& place, WallTest& walls, Spectrum& sum) const {
     constexpr double half_turn = std::numbers::pi / 2, heavy = 0.6;
     const double angle = least_angle + limits_.accuracy;
-    const double light =
+    const double widest =
         place.weight < heavy ? half_turn + (angle - half_turn) * std::pow(place.weight, 0.13) : angle;
-    const Query query{place, walls, sum, light};
+    const Query query{place, walls, sum, widest};
     if (!covers(cube_, place.point)) return sum_entries(*around_, query);
 
     // Down to the smallest cell around the place, and up again: the values of small cells have little reach,
