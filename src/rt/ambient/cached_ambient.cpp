@@ -84,11 +84,12 @@ bool Tracer::add_cached_ambient(const Spectrum& coefficient, const Vec3& normal,
         return true;
     }
     const RouletteForValue roulette(settings_, random_, at);
-    if (roulette.lost()) return true;
     place.weight = at.weight;
+    HemisphereGatherer gatherer(*this, at, place, other_side ? through_ambient : reflected_ambient);
+    if (!gatherer.may_trace()) return false;
+    if (roulette.lost()) return true;
     value.radiance.clear();
-    switch (HemisphereGatherer(*this, at, place, other_side ? through_ambient : reflected_ambient)
-                .gather(irradiance_cache_->limits(), value)) {
+    switch (gatherer.gather(irradiance_cache_->limits(), value)) {
         case HemisphereGatherer::Outcome::nothing:
             return false;
         case HemisphereGatherer::Outcome::value_only:

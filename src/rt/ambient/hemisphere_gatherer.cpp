@@ -65,7 +65,6 @@ HemisphereGatherer::~HemisphereGatherer() {
 }
 
 HemisphereGatherer::Outcome HemisphereGatherer::gather(const CacheLimits& limits, IrradianceValue& value) {
-    if (!rays_are_heavy_enough()) return Outcome::nothing;
     const int cell_count = divisions_ * divisions_;
     view_.cells.assign(static_cast<std::size_t>(cell_count), HemisphereCell{Spectrum(at_.channels())});
     view_.corners.assign(static_cast<std::size_t>(cell_count), MeshCorner{Vec3(0), 0, 0});
@@ -85,8 +84,7 @@ HemisphereGatherer::Outcome HemisphereGatherer::gather(const CacheLimits& limits
     return Outcome::complete;
 }
 
-// False if none of the rays would be traced.
-bool HemisphereGatherer::rays_are_heavy_enough() {
+bool HemisphereGatherer::may_trace() {
     const Spectrum assumed(at_.channels(), static_cast<float>(assumed_reflectance));
     Ray child(at_.channels());
     return tracer_.spawn(child, kind_, at_, &assumed);

@@ -30,12 +30,14 @@ class HemisphereGatherer {
     HemisphereGatherer& operator=(const HemisphereGatherer&) = delete;
     ~HemisphereGatherer();
 
+    /// False if none of the rays would be traced: they are too light, or have too many reflections behind
+    /// them.
+    bool may_trace();
     /// Draws from a random stream of the place, not from that of the ray that asks. The hit must be heavy
     /// enough for roulette to spare all rays.
     Outcome gather(const CacheLimits& limits, IrradianceValue& value);
 
   private:
-    bool rays_are_heavy_enough();
     bool trace(int cell, double x, double y, bool first, Spectrum& radiance);
     int trace_grid();
     void trace_more();

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <new>
 #include <numbers>
 
 namespace infra {
 namespace {
 
-constexpr std::size_t block_bytes = std::size_t(1) << 18;
+constexpr std::size_t block_bytes = std::size_t(1) << 18, cache_line = 64;
 constexpr int deepest = 40;
 constexpr double tiny = 1e-6;
 constexpr double rounding = 1 + 1e-5;  // of single precision, and some
@@ -77,12 +76,17 @@ struct IrradianceCache::Entry {
 };
 
 /// Some of a cell's values, in a line of the processor's cache: their memory can be asked for all at once.
-struct alignas(64) IrradianceCache::Chunk {
+struct alignas(cache_line) IrradianceCache::Chunk {
     static constexpr std::uint32_t most = 6;
 
     Chunk* next = nullptr;
     std::atomic<std::uint32_t> count = 0;
     const Entry* entries[most];
+};
+
+/// Memory of values and cells.
+struct alignas(cache_line) IrradianceCache::Block {
+    std::byte bytes[block_bytes];
 };
 
 struct IrradianceCache::Node {
@@ -316,14 +320,12 @@ void IrradianceCache::append(const Entry& entry, Node& node) {
 }
 
 std::byte* IrradianceCache::allocate(std::size_t bytes, std::size_t alignment) {
-    static_assert(block_bytes % alignof(Chunk) == 0);
     block_used_ = (block_used_ + alignment - 1) / alignment * alignment;
     if (blocks_.empty() || block_used_ + bytes > block_bytes) {
-        blocks_.emplace_back(static_cast<std::byte*>(std::aligned_alloc(alignof(Chunk), block_bytes)));
-        if (!blocks_.back()) throw std::bad_alloc();
+        blocks_.push_back(std::make_unique_for_overwrite<Block>());
         block_used_ = 0;
     }
-    std::byte* const start = blocks_.back().get() + block_used_;
+    std::byte* const start = blocks_.back()->bytes + block_used_;
     block_used_ += bytes;
     return start;
 }

@@ -9,7 +9,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -60,9 +59,7 @@ class IrradianceCache {
     struct Node;
     struct Region;
     struct Query;
-    struct Free {
-        void operator()(std::byte* block) const { std::free(block); }
-    };
+    struct Block;
 
     double sum_entries(const Node& node, const Query& query) const;
     double add_entry(const Entry& entry, const Query& query) const;
@@ -80,7 +77,7 @@ class IrradianceCache {
 
     std::mutex writer_;
     std::unique_ptr<AmbientFile> file_;
-    std::vector<std::unique_ptr<std::byte, Free>> blocks_;  // values and cells, never moved
+    std::vector<std::unique_ptr<Block>> blocks_;  // values and cells, never moved
     std::size_t block_used_ = 0;
     double log_sum_ = 0;
     std::atomic<std::size_t> size_ = 0;
